@@ -21,7 +21,7 @@ void runCovered(TapeWorkspace& workspace, const Instruction& instruction, Algebr
                 std::size_t lanes) {
     using Number = typename Algebra::Number;
     algebra.begin(workspace, instruction.number);
-    const auto operand = [&](int k, std::size_t lane) HWY_ATTR {
+    const auto operand = [&](std::size_t k, std::size_t lane) HWY_ATTR {
         const Slot slot = instruction.operands[k];
         if (!workspace.isUniform(slot)) return Algebra::load(workspace.address(slot) + lane);
         return Algebra::widen(Algebra::uniform(workspace.uniform(slot)));
@@ -29,7 +29,7 @@ void runCovered(TapeWorkspace& workspace, const Instruction& instruction, Algebr
     double* const target = workspace.slot(instruction.target);
     for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(Doubles())) {
         std::array<Number, 4> operands;
-        for (int k = 0; k < instruction.operandCount; ++k) operands[k] = operand(k, lane);
+        for (std::size_t k = 0; k < instruction.operandCount; ++k) operands[k] = operand(k, lane);
         Algebra::store(algebra.run(instruction.operation, operands, lane), target + lane);
     }
 }

@@ -138,8 +138,8 @@ void BoxEvaluator::read(Slot result, std::span<Interval> out) const {
 }
 
 void BoxEvaluator::placeArguments(const BoxLanes& boxes, std::size_t count) {
-    const int arguments = std::min(3, tape_->argumentCount());
-    for (int k = 0; k < arguments; ++k) {
+    const auto arguments = static_cast<std::size_t>(std::min(3, tape_->argumentCount()));
+    for (std::size_t k = 0; k < arguments; ++k) {
         double* lanes = workspace_.slot(static_cast<Slot>(k));
         for (std::size_t i = 0; i < batchLanes; ++i) {
             // The lanes that fill up the last vector do what the last box does.

@@ -26,7 +26,7 @@ GradientEvaluator::GradientEvaluator(std::shared_ptr<const PreparedFunction> fun
     for (int k = 0; k < workspace_.tape().argumentCount(); ++k) {
         double* argument = workspace_.ownArgument(k);
         std::fill_n(argument, components * batchLanes, 0.0);
-        if (k < 3) std::fill_n(argument + (k + 1) * batchLanes, batchLanes, 1.0);
+        if (k < 3) std::fill_n(argument + static_cast<std::size_t>(k + 1) * batchLanes, batchLanes, 1.0);
     }
 }
 
@@ -92,8 +92,8 @@ std::array<double*, 3> GradientEvaluator::pointLanes() {
 
 void GradientEvaluator::run(const std::array<const double*, 3>& point, std::size_t lanes,
                             const SimplifiedTape* simplifiedTape) {
-    const int count = std::min(3, workspace_.tape().argumentCount());
-    for (int k = 0; k < count; ++k) {
+    const auto count = static_cast<std::size_t>(std::min(3, workspace_.tape().argumentCount()));
+    for (std::size_t k = 0; k < count; ++k) {
         double* argument = workspace_.slot(static_cast<Slot>(k));
         if (point[k] != argument) std::copy_n(point[k], lanes, argument);
         std::fill(argument + lanes, argument + batchLanes, argument[lanes - 1]);

@@ -320,13 +320,14 @@ void IntervalEvaluator::forgetRanges() {
 }
 
 void IntervalEvaluator::run(std::span<const Interval> arguments, double loopAllowance) {
-    for (int k = 0; k < tape_->argumentCount(); ++k)
-        slots_[k] = static_cast<std::size_t>(k) < arguments.size() ? arguments[k] : Interval::point(0);
+    const auto argumentCount = static_cast<std::size_t>(tape_->argumentCount());
+    for (std::size_t k = 0; k < argumentCount; ++k)
+        slots_[k] = k < arguments.size() ? arguments[k] : Interval::point(0);
     const std::span<const Instruction> instructions = tape_->instructions();
     for (std::size_t number = 0; number < instructions.size(); ++number) {
         const Instruction& instruction = instructions[number];
         std::array<Interval, 4> operands;
-        for (int k = 0; k < instruction.operandCount; ++k) {
+        for (std::size_t k = 0; k < instruction.operandCount; ++k) {
             operands[k] = slots_[instruction.operands[k]];
             operandRanges_[number][k] = hull(operandRanges_[number][k], operands[k]);
         }

@@ -79,10 +79,11 @@ IntervalGradient withoutWraps(Operation operation, Operands operands, const Crac
 /// `left` counts for none.
 std::vector<std::uint8_t> axesWithout(const Tape& tape, std::size_t left) {
     std::vector<std::uint8_t> slots(tape.slotCount()), all;
-    for (int k = 0; k < std::min(3, tape.argumentCount()); ++k) slots[k] = static_cast<std::uint8_t>(1 << k);
+    const auto coordinates = static_cast<std::size_t>(std::min(3, tape.argumentCount()));
+    for (std::size_t k = 0; k < coordinates; ++k) slots[k] = static_cast<std::uint8_t>(1 << k);
     for (const Instruction& instruction : tape.instructions()) {
         std::uint8_t axes = 0;
-        for (int k = 0; k < instruction.operandCount; ++k) axes |= slots[instruction.operands[k]];
+        for (std::size_t k = 0; k < instruction.operandCount; ++k) axes |= slots[instruction.operands[k]];
         slots[instruction.target] = all.size() == left ? 0 : axes;
         all.push_back(slots[instruction.target]);
     }
@@ -140,7 +141,8 @@ IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape>
 const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Interval, 3> box,
                                                             std::size_t result) {
     ++evaluations_;
-    for (int k = 0; k < tape_->argumentCount(); ++k)
+    const auto argumentCount = static_cast<std::size_t>(tape_->argumentCount());
+    for (std::size_t k = 0; k < argumentCount; ++k)
         slots_[k] = k < 3 ? coordinate(k, box[k]) : constant(Interval::point(0));
     const bool ended = run(LoopRange::topAllowance);
     IntervalGradient& answer = slots_[tape_->results()[result]];
@@ -191,8 +193,9 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
         if (i != fold_) {
             target = execute(instructions[i], i, loopAllowance);
         } else if (folds_) {
-            target = coordinate(lastFold_.axis, lastFold_.value);
-            target.slope[lastFold_.axis] = {lastFold_.steepness, lastFold_.steepness};
+            const auto axis = static_cast<std::size_t>(lastFold_.axis);
+            target = coordinate(axis, lastFold_.value);
+            target.slope[axis] = {lastFold_.steepness, lastFold_.steepness};
             target.steepness = lastFold_.steepness;
         } else {
             target = execute(instructions[i], i, loopAllowance);
@@ -206,7 +209,7 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
                                                     double loopAllowance) {
     if (isLoop(instruction.operation)) return runLoop(instruction, loopAllowance);
     std::array<const IntervalGradient*, 4> operands{};
-    for (int k = 0; k < instruction.operandCount; ++k) operands[k] = &slots_[instruction.operands[k]];
+    for (std::size_t k = 0; k < instruction.operandCount; ++k) operands[k] = &slots_[instruction.operands[k]];
     const CrackleSettings* crackle =
         instruction.operation == Operation::crackle ? &tape_->crackle(instruction.index) : nullptr;
     const Operands all = std::span(operands).first(instruction.operandCount);

@@ -70,14 +70,15 @@ double PointEvaluator::evaluate(double x, double y, double z) {
 
 void PointEvaluator::placeArguments(std::span<const double* const> arguments, std::size_t first,
                                     std::size_t lanes) {
-    for (int k = 0; k < tape_->argumentCount(); ++k) {
-        const bool given = static_cast<std::size_t>(k) < arguments.size();
+    for (int index = 0; index < tape_->argumentCount(); ++index) {
+        const auto k = static_cast<std::size_t>(index);
+        const bool given = k < arguments.size();
         if (given && lanes == batchLanes) {
-            workspace_.pointTo(k, arguments[k] + first);
+            workspace_.pointTo(index, arguments[k] + first);
             continue;
         }
         // The vectors at the end are filled up with the last point, which costs no slow path of its own.
-        double* own = workspace_.ownArgument(k);
+        double* own = workspace_.ownArgument(index);
         if (given) std::copy_n(arguments[k] + first, lanes, own);
         std::fill(own + (given ? lanes : 0), own + batchLanes, given ? own[lanes - 1] : 0.0);
     }

@@ -50,8 +50,8 @@ void ReferenceEvaluator::walk(NodeId last, std::span<const double> arguments,
             case Operation::product: values_[id] = loopValue(node, parameters); break;
             default: {
                 std::array<double, 4> operands{};
-                const int count = arity(node.operation);
-                for (int k = 0; k < count; ++k) operands[k] = values_[node.operands[k]];
+                const auto count = static_cast<std::size_t>(arity(node.operation));
+                for (std::size_t k = 0; k < count; ++k) operands[k] = values_[node.operands[k]];
                 const CrackleSettings* crackle =
                     node.operation == Operation::crackle ? &graph.crackleSettings(node.index) : nullptr;
                 values_[id] = evaluateOperation(node.operation, std::span(operands).first(count), crackle);

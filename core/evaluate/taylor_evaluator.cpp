@@ -31,7 +31,7 @@ TaylorEvaluator::TaylorEvaluator(std::shared_ptr<const PreparedFunction> functio
     for (int k = 0; k < workspace_.tape().argumentCount(); ++k) {
         double* argument = workspace_.ownArgument(k);
         std::fill_n(argument, components * batchLanes, 0.0);
-        if (k < 3) std::fill_n(argument + (k + 1) * batchLanes, batchLanes, 1.0);
+        if (k < 3) std::fill_n(argument + static_cast<std::size_t>(k + 1) * batchLanes, batchLanes, 1.0);
     }
 }
 

@@ -111,7 +111,8 @@ int ParseContext::addParameter(SceneParameter parameter) {
 }
 
 void ParseContext::markStructural(int parameter) {
-    if (parameter >= 0 && parameter < static_cast<int>(parameters.size())) parameters[parameter].slot = -1;
+    const auto index = static_cast<std::size_t>(parameter);
+    if (parameter >= 0 && index < parameters.size()) parameters[index].slot = -1;
 }
 
 void ParseContext::markStructural(const Function& function) {

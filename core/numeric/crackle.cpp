@@ -88,13 +88,13 @@ CrackleDistances euclidean(const std::array<double, 3>& p, const CrackleCandidat
 /// The same by looking at all cells.
 CrackleDistances euclidean(const std::array<double, 3>& p, const std::array<double, 3>& cell, double offset) {
     double squaredGaps[3][5];
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
         for (int o = -2; o <= 2; ++o) {
             const double distance = gap(p[axis] - cell[axis], o);
             squaredGaps[axis][o + 2] = distance * distance;
         }
     std::array<std::int64_t, 3> index;
-    for (int axis = 0; axis < 3; ++axis) index[axis] = static_cast<std::int64_t>(cell[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) index[axis] = static_cast<std::int64_t>(cell[axis]);
     Smallest smallest;
     for (const CellOffset& o : offsets) {
         const double least =
@@ -110,12 +110,12 @@ CrackleDistances euclidean(const std::array<double, 3>& p, const std::array<doub
 CrackleDistances general(const std::array<double, 3>& p, const std::array<double, 3>& cell, double metric,
                          double offset) {
     std::array<std::int64_t, 3> index;
-    for (int axis = 0; axis < 3; ++axis) index[axis] = static_cast<std::int64_t>(cell[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) index[axis] = static_cast<std::int64_t>(cell[axis]);
     Smallest smallest;
     for (const CellOffset& o : offsets) {
         const auto point = cracklePoint(index[0] + o.axis[0], index[1] + o.axis[1], index[2] + o.axis[2]);
         double sum = 0;
-        for (int axis = 0; axis < 3; ++axis) sum += std::pow(std::abs(p[axis] - point[axis]), metric);
+        for (std::size_t axis = 0; axis < 3; ++axis) sum += std::pow(std::abs(p[axis] - point[axis]), metric);
         smallest.add(std::pow(sum, 1 / metric), point);
     }
     CrackleDistances found = smallest.distances();
@@ -140,7 +140,7 @@ const std::array<double, uniformCount>& uniformSequence() {
     static const std::array<double, uniformCount> sequence = [] {
         std::mt19937 random;
         std::array<double, uniformCount> values;
-        for (double& value : values) value = random() / 4294967296.0;
+        for (double& value : values) value = static_cast<double>(random()) / 4294967296.0;
         return values;
     }();
     return sequence;

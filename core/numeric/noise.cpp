@@ -28,7 +28,7 @@ std::array<double, Count> latticeSums(double px, double py, double pz) {
     const auto addCorner = [&](unsigned a, unsigned b, unsigned g) {
         const double* entry = &values[hash[rows[a + 2 * b] ^ (z.index + g)] & 255u];
         const double weight = areas[a + 2 * b] * z.weight[g];
-        for (int k = 0; k < Count; ++k)
+        for (std::size_t k = 0; k < Count; ++k)
             sums[k] += weight * (entry[4 * k] * 0.5 + entry[4 * k + 1] * x.fraction[a] +
                                  entry[4 * k + 2] * y.fraction[b] + entry[4 * k + 3] * z.fraction[g]);
     };

@@ -19,7 +19,7 @@ using Tag = hn::CappedTag<double, noiseLanes>;
 using Vector = hn::Vec<Tag>;
 
 /// The noise and its derivatives, in the order of NoiseRange: value, slopes x y z, bends xx xy xz yy yz zz.
-constexpr int quantities = 10;
+constexpr std::size_t quantities = 10;
 /// Those of them that need no derivative along z, with the sources of the others.
 enum Column { plain, byX, byY, byXX, byXY, byYY, columns };
 using Columns = double[columns][4];
@@ -32,12 +32,12 @@ struct Extremes {
 };
 
 /// Sums over x at coefficient `i` of it: the function and its derivatives along x, for each y and z.
-HWY_INLINE void sumAlongX(const NoiseFactors& factors, const NoiseAxisPart& x, int i, Rows& value,
+HWY_INLINE void sumAlongX(const NoiseFactors& factors, const NoiseAxisPart& x, std::size_t i, Rows& value,
                           Rows& slope, Rows& bend) {
-    for (int b = 0; b < 4; ++b)
-        for (int g = 0; g < 4; ++g) {
+    for (std::size_t b = 0; b < 4; ++b)
+        for (std::size_t g = 0; g < 4; ++g) {
             double v = 0, s = 0, c = 0;
-            for (int a = 0; a < 4; ++a) {
+            for (std::size_t a = 0; a < 4; ++a) {
                 const double factor = factors[a][b][g];
                 v += factor * x.value[a][i];
                 s += factor * x.slope[a][i];
@@ -48,10 +48,10 @@ HWY_INLINE void sumAlongX(const NoiseFactors& factors, const NoiseAxisPart& x, i
 }
 
 HWY_INLINE void sumAlongY(const Rows& value, const Rows& slope, const Rows& bend, const NoiseAxisPart& y,
-                          int j, Columns& to) {
+                          std::size_t j, Columns& to) {
     for (int g = 0; g < 4; ++g) {
         for (int c = 0; c < columns; ++c) to[c][g] = 0;
-        for (int b = 0; b < 4; ++b) {
+        for (std::size_t b = 0; b < 4; ++b) {
             const double v = y.value[b][j], s = y.slope[b][j], c = y.bend[b][j];
             to[plain][g] += value[b][g] * v;
             to[byX][g] += slope[b][g] * v;
@@ -66,20 +66,20 @@ HWY_INLINE void sumAlongY(const Rows& value, const Rows& slope, const Rows& bend
 /// Takes in all coefficients of z for one pair of x and y.
 HWY_INLINE void takeIn(const Columns& column, const NoiseAxisPart& z, Extremes& extremes) {
     const Tag d;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(z.count); k += hn::Lanes(d)) {
+    for (std::size_t k = 0; k < z.count; k += hn::Lanes(d)) {
         Vector all[quantities];
         for (auto& v : all) v = hn::Zero(d);
-        for (int g = 0; g < 4; ++g) {
+        for (std::size_t g = 0; g < 4; ++g) {
             const auto value = hn::Load(d, &z.value[g][k]), slope = hn::Load(d, &z.slope[g][k]),
                        bend = hn::Load(d, &z.bend[g][k]);
-            const auto add = [&](int quantity, Column c, Vector v) {
+            const auto add = [&](std::size_t quantity, Column c, Vector v) {
                 all[quantity] = hn::MulAdd(hn::Set(d, column[c][g]), v, all[quantity]);
             };
             add(0, plain, value), add(1, byX, value), add(2, byY, value), add(3, plain, slope);
             add(4, byXX, value), add(5, byXY, value), add(6, byX, slope), add(7, byYY, value);
             add(8, byY, slope), add(9, plain, bend);
         }
-        for (int q = 0; q < quantities; ++q) {
+        for (std::size_t q = 0; q < quantities; ++q) {
             hn::Store(hn::Min(all[q], hn::Load(d, extremes.low[q] + k)), d, extremes.low[q] + k);
             hn::Store(hn::Max(all[q], hn::Load(d, extremes.high[q] + k)), d, extremes.high[q] + k);
         }
@@ -93,18 +93,19 @@ void includeCell(const NoiseFactors& factors, const std::array<NoiseAxisPart, 3>
     Extremes extremes;
     for (std::size_t k = 0; k < noiseLanes; ++k) {
         extremes.square[k] = 0;
-        for (int q = 0; q < quantities; ++q) extremes.low[q][k] = infinite, extremes.high[q][k] = -infinite;
+        for (std::size_t q = 0; q < quantities; ++q)
+            extremes.low[q][k] = infinite, extremes.high[q][k] = -infinite;
     }
-    for (int i = 0; i < parts[0].count; ++i) {
+    for (std::size_t i = 0; i < parts[0].count; ++i) {
         Rows value, slope, bend;
         sumAlongX(factors, parts[0], i, value, slope, bend);
-        for (int j = 0; j < parts[1].count; ++j) {
+        for (std::size_t j = 0; j < parts[1].count; ++j) {
             Columns column;
             sumAlongY(value, slope, bend, parts[1], j, column);
             takeIn(column, parts[2], extremes);
         }
     }
-    for (int q = 0; q < quantities; ++q) {
+    for (std::size_t q = 0; q < quantities; ++q) {
         SlopeRange& to = q == 0 ? range.value : q < 4 ? range.slope[q - 1] : range.bend[q - 4];
         for (std::size_t k = 0; k < noiseLanes; ++k) to = hull(to, {extremes.low[q][k], extremes.high[q][k]});
     }
@@ -120,19 +121,19 @@ namespace isoscope {
 
 namespace {
 
-constexpr int order = NoiseAxisPart::coefficients;
+constexpr std::size_t order = NoiseAxisPart::coefficients;
 using Powers = std::array<double, order>;
 
 /// p(low + s) as a polynomial in s.
 Powers shifted(Powers power, double low) {
-    for (int done = 0; done < order - 1; ++done)
-        for (int k = order - 2; k >= done; --k) power[k] += low * power[k + 1];
+    for (std::size_t done = 0; done < order - 1; ++done)
+        for (std::size_t k = order - 1; k-- > done;) power[k] += low * power[k + 1];
     return power;
 }
 
 Powers derivative(const Powers& power) {
     Powers result{};
-    for (int n = 1; n < order; ++n) result[n - 1] = n * power[n];
+    for (std::size_t n = 1; n < order; ++n) result[n - 1] = static_cast<double>(n) * power[n];
     return result;
 }
 
@@ -150,9 +151,9 @@ NoiseCoefficients bernstein(const Powers& power, double width) {
         scale *= width;
     }
     NoiseCoefficients result;
-    for (int j = 0; j < order; ++j) {
+    for (std::size_t j = 0; j < order; ++j) {
         result[j] = 0;
-        for (int k = 0; k <= j; ++k) result[j] += share[j][k] * scaled[k];
+        for (std::size_t k = 0; k <= j; ++k) result[j] += share[j][k] * scaled[k];
     }
     for (std::size_t j = order; j < noiseLanes; ++j) result[j] = result[order - 1];
     return result;
@@ -165,7 +166,7 @@ NoiseAxisPart::NoiseAxisPart(std::pair<double, double> part) {
     constexpr Powers functions[4] = {{1, 0, -3, 2, 0}, {0, 0, 3, -2, 0}, {0, 1, 0, -3, 2}, {0, 0, -3, 5, -2}};
     const double width = part.second - part.first;
     if (width == 0) count = 1;
-    for (int k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < 4; ++k) {
         const Powers here = shifted(functions[k], part.first), slopes = derivative(here);
         value[k] = bernstein(here, width);
         slope[k] = bernstein(slopes, width);

@@ -16,10 +16,10 @@ using NoiseCoefficients = std::array<double, noiseLanes>;
 /// The functions along one axis of a lattice cell, over a part of it: the weights of both ends, and those
 /// times the distance from the end; with their first and second derivatives.
 struct NoiseAxisPart {
-    static constexpr int coefficients = 5;
+    static constexpr std::size_t coefficients = 5;
 
     alignas(64) std::array<NoiseCoefficients, 4> value, slope, bend;
-    int count = coefficients;  ///< of different coefficients: 1 at a single place
+    std::size_t count = coefficients;  ///< of different coefficients: 1 at a single place
 
     /// Over [low, high], places in the cell from 0 to 1.
     explicit NoiseAxisPart(std::pair<double, double> part);

@@ -27,7 +27,7 @@ std::array<NoiseGradient, Count> latticeGradients(double px, double py, double p
                 const double weightX = (a ? slope[0] : -slope[0]) * y.weight[b] * z.weight[g];
                 const double weightY = (b ? slope[1] : -slope[1]) * x.weight[a] * z.weight[g];
                 const double weightZ = (g ? slope[2] : -slope[2]) * x.weight[a] * y.weight[b];
-                for (int k = 0; k < Count; ++k) {
+                for (std::size_t k = 0; k < Count; ++k) {
                     const double* e = entry + 4 * k;
                     const double plane =
                         e[0] * 0.5 + e[1] * x.fraction[a] + e[2] * y.fraction[b] + e[3] * z.fraction[g];
@@ -43,13 +43,13 @@ std::array<NoiseGradient, Count> latticeGradients(double px, double py, double p
 NoiseGradient lerp(double t, const NoiseGradient& a, const NoiseGradient& b) {
     NoiseGradient result;
     result.value = a.value + t * (b.value - a.value);
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
         result.gradient[axis] = a.gradient[axis] + t * (b.gradient[axis] - a.gradient[axis]);
     return result;
 }
 
 /// Interpolation along `axis`, whose weight S(place) has a derivative of its own.
-NoiseGradient lerpAlong(int axis, double place, const NoiseGradient& a, const NoiseGradient& b) {
+NoiseGradient lerpAlong(std::size_t axis, double place, const NoiseGradient& a, const NoiseGradient& b) {
     NoiseGradient result = lerp(smoothStep(place), a, b);
     result.gradient[axis] += smoothStepSlope(place) * (b.value - a.value);
     return result;

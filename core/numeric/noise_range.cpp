@@ -16,7 +16,8 @@ namespace {
 constexpr double slack = 1e-11;
 
 /// What the noise has at the corner: value, and slopes along the axes.
-void setCorner(NoiseFactors& f, int a, int b, int g, double value, const double* slopes) {
+void setCorner(NoiseFactors& f, std::size_t a, std::size_t b, std::size_t g, double value,
+               const double* slopes) {
     f[a][b][g] = value;
     f[a + 2][b][g] = slopes[0];
     f[a][b + 2][g] = slopes[1];
@@ -83,7 +84,7 @@ NoiseRange noiseRange(NoiseKind kind, const std::array<double, 3>& givenLow,
     const NoiseBounds& bounds = isGradient ? gradientNoiseBounds : latticeNoiseBounds;
     std::array<double, 3> low = givenLow, high = givenHigh;
     if (isGradient)
-        for (int k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
             // The shift of docs/povray/noise.md, section 5; rounding it moves the place by less than 2^-28.
             low[k] += 10000000.023157213 - 4e-9;
             high[k] += 10000000.023157213 + 4e-9;

@@ -48,7 +48,7 @@ constexpr double sixDigits(unsigned crc) {
 
 constexpr std::array<double, 267> buildLatticeValues() {
     std::array<double, 267> values{};
-    for (int i = 0; i < 267; ++i) values[i] = sixDigits(tripleCrc(i * 0.12345));
+    for (std::size_t i = 0; i < 267; ++i) values[i] = sixDigits(tripleCrc(static_cast<double>(i) * 0.12345));
     return values;
 }
 

@@ -301,7 +301,7 @@ class AffineAlgebra {
                              double* target, std::size_t lanes) {
         for (std::size_t i = 0; i < lanes; ++i) {
             std::array<AffineForm, 3> forms;
-            for (int k = 0; k < 3; ++k)
+            for (std::size_t k = 0; k < 3; ++k)
                 forms[k] = {operands[k][i], operands[k][batchLanes + i], operands[k][2 * batchLanes + i]};
             const AffineForm result = affineCrackle(forms, crackle);
             target[i] = result.a;

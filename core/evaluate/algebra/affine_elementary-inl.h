@@ -379,7 +379,7 @@ HWY_INLINE Mask staysOffCut(const AffineNumber& ordinate, const AffineNumber& ab
 HWY_INLINE AffineNumber arcTangent2Of(const AffineNumber& ordinate, const AffineNumber& abscissa) {
     const VectorRange y = rangeOf(ordinate), x = rangeOf(abscissa);
     const Vector zero = zeroVector(), one = constantVector(1);
-    const AffineNumber turn = {zero, zero, constantVector(std::numbers::pi * (1 + functionError))};
+    const AffineNumber halfTurn = {zero, zero, constantVector(std::numbers::pi * (1 + functionError))};
     const Mask beside = hn::And(hn::Le(x.low, zero), hn::And(hn::Le(y.low, zero), hn::Ge(y.high, zero)));
     const Mask cut =
         hn::AllFalse(Doubles(), beside) ? beside : hn::AndNot(staysOffCut(ordinate, abscissa), beside);
@@ -416,7 +416,7 @@ HWY_INLINE AffineNumber arcTangent2Of(const AffineNumber& ordinate, const Affine
     const AffineNumber line{value, slope, hn::Mul(error, constantVector(inflation))};
     const Mask clear = hn::Gt(left, hn::Mul(hn::Add(one, speed), constantVector(1e-6)));
     const Mask smooth = hn::And(hn::AndNot(cut, clear), moderateMagnitude(distance));
-    return keepUnknown(ordinate, abscissa, chooseNumber(smooth, narrower(line, turn), turn));
+    return keepUnknown(ordinate, abscissa, chooseNumber(smooth, narrower(line, halfTurn), halfTurn));
 }
 
 }  // namespace isoscope::HWY_NAMESPACE

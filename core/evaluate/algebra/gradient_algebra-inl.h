@@ -329,14 +329,14 @@ struct GradientAlgebra {
                              double* target, std::size_t lanes) {
         for (std::size_t i = 0; i < lanes; ++i) {
             std::array<double, 3> point, total{};
-            for (int k = 0; k < 3; ++k) point[k] = operands[k][i];
+            for (std::size_t k = 0; k < 3; ++k) point[k] = operands[k][i];
             const std::array<double, 3> slopes =
                 crackleGradient(crackle, point, GradientEvaluator::crackleStep);
-            for (int axis = 0; axis < 3; ++axis)
-                for (int k = 0; k < 3; ++k)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                for (std::size_t k = 0; k < 3; ++k)
                     total[axis] += slopes[k] * operands[k][(axis + 1) * batchLanes + i];
             target[i] = evaluateOperation(Operation::crackle, point, &crackle);
-            for (int axis = 0; axis < 3; ++axis) target[(axis + 1) * batchLanes + i] = total[axis];
+            for (std::size_t axis = 0; axis < 3; ++axis) target[(axis + 1) * batchLanes + i] = total[axis];
         }
     }
 };

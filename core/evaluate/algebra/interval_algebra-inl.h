@@ -193,7 +193,8 @@ class IntervalAlgebra {
         {
             const NearestRounding nearest;
             for (std::size_t i = 0; i < lanes; ++i) {
-                for (int k = 0; k < instruction.operandCount; ++k) values[k] = intervalAt(operands[k] + i);
+                for (std::size_t k = 0; k < instruction.operandCount; ++k)
+                    values[k] = intervalAt(operands[k] + i);
                 writeInterval(evaluateOperation(instruction.operation,
                                                 std::span(values).first(instruction.operandCount), crackle),
                               target + i);

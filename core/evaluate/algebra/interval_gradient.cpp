@@ -15,7 +15,7 @@ namespace {
 double lengthOfSum(const std::array<SlopeRange, 3>& u, double longestU, const std::array<SlopeRange, 3>& v,
                    double longestV) {
     double twiceDot = 0;
-    for (int i = 0; i < 3; ++i) twiceDot = raised(twiceDot + 2 * (u[i] * v[i]).high);
+    for (std::size_t i = 0; i < 3; ++i) twiceDot = raised(twiceDot + 2 * (u[i] * v[i]).high);
     const double squares = raised(raised(longestU * longestU) + raised(longestV * longestV));
     return std::min(raised(longestU + longestV), rootAbove(raised(squares + twiceDot)));
 }
@@ -33,10 +33,10 @@ IntervalGradient constant(const Interval& value) {
 
 IntervalGradient undefinedEverywhere() { return constant(Interval::undefined()); }
 
-IntervalGradient coordinate(int axis, const Interval& range) {
+IntervalGradient coordinate(std::size_t axis, const Interval& range) {
     IntervalGradient result = constant(range);
     result.axes = static_cast<std::uint8_t>(1 << axis);
-    result.origin = axis + 1;
+    result.origin = static_cast<std::int8_t>(axis + 1);
     result.slope[axis] = {1, 1};
     result.steepness = 1;
     return result;
@@ -47,7 +47,7 @@ IntervalGradient hazardous(const Interval& value, std::uint8_t axes, GradientHaz
     result.axes = axes;
     result.hazard = hazard;
     result.smooth = false;
-    for (int i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
         if (dependsOn(axes, i)) result.slope[i] = SlopeRange::within(unlimited);
     result.steepness = unlimited;
     return result;
@@ -68,10 +68,10 @@ double lengthBelow(const std::array<SlopeRange, 3>& v) {
 
 double eigenvalueAbove(const std::array<SlopeRange, 6>& m) {
     double trace = 0, widest = 0;
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
         double row = m[bendIndex(i, i)].high;
         trace = raised(trace + row);
-        for (int j = 0; j < 3; ++j)
+        for (std::size_t j = 0; j < 3; ++j)
             if (j != i) row = raised(row + m[bendIndex(i, j)].size());
         widest = std::max(widest, row);
     }
@@ -110,14 +110,14 @@ IntervalGradient chain(const IntervalGradient& u, const Interval& value, const D
     result.value = value;
     result.axes = u.axes;
     result.hazard = u.hazard;
-    for (int i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
         if (dependsOn(u.axes, i)) result.slope[i] = h.first * u.slope[i];
     result.steepness = raised(h.first.size() * u.steepness);
     // Other pieces have other values than the one that is taken.
     result.pieced = u.pieced;
     result.smooth = u.smooth && !u.pieced && h.second.isFinite();
     if (result.smooth)
-        forEachBend(u.axes, [&](int i, int j, int k) {
+        forEachBend(u.axes, [&](std::size_t i, std::size_t j, std::size_t k) {
             const SlopeRange slopes = i == j ? square(u.slope[i]) : u.slope[i] * u.slope[j];
             result.bend[k] = h.second * slopes + h.first * u.bend[k];
         });
@@ -137,7 +137,7 @@ IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, con
     result.axes = axes;
     result.hazard = both;
     std::array<SlopeRange, 3> first{}, second{};
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
         if (!dependsOn(axes, i)) continue;
         first[i] = h.byFirst * u.slope[i];
         second[i] = h.bySecond * v.slope[i];
@@ -149,7 +149,7 @@ IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, con
     result.smooth = u.smooth && v.smooth && !u.pieced && !v.pieced && h.twiceFirst.isFinite() &&
                     h.mixed.isFinite() && h.twiceSecond.isFinite();
     if (result.smooth)
-        forEachBend(axes, [&](int i, int j, int k) {
+        forEachBend(axes, [&](std::size_t i, std::size_t j, std::size_t k) {
             const SlopeRange crossed = u.slope[i] * v.slope[j] + v.slope[i] * u.slope[j];
             result.bend[k] = h.twiceFirst * (u.slope[i] * u.slope[j]) + h.mixed * crossed +
                              h.twiceSecond * (v.slope[i] * v.slope[j]) + h.byFirst * u.bend[k] +
@@ -176,14 +176,18 @@ IntervalGradient scaled(const IntervalGradient& a, double factor) {
         return constant(Interval::point(0));
     result.wrap = a.wrap * factor;
     if (a.hazard > GradientHazard::jump) return result;
-    for (int i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
         if (dependsOn(a.axes, i)) result.slope[i] = factor * a.slope[i];
     result.steepness = raised(std::abs(factor) * a.steepness);
-    if (a.smooth) forEachBend(a.axes, [&](int, int, int k) { result.bend[k] = factor * a.bend[k]; });
+    if (a.smooth)
+        forEachBend(a.axes,
+                    [&](std::size_t, std::size_t, std::size_t k) { result.bend[k] = factor * a.bend[k]; });
     result.rootExponent = factor > 0 ? a.rootExponent : 0;
     if (result.isSumOfPowers()) {
         result.rootSteepness = raised(std::pow(factor, 1 / a.rootExponent) * (1 + 1e-14) * a.rootSteepness);
-        forEachBend(a.axes, [&](int, int, int k) { result.rootSpread[k] = factor * a.rootSpread[k]; });
+        forEachBend(a.axes, [&](std::size_t, std::size_t, std::size_t k) {
+            result.rootSpread[k] = factor * a.rootSpread[k];
+        });
     }
     settle(result);
     return result;
@@ -208,13 +212,14 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
     result.hazard = worse(a.hazard, b.hazard);
     if (result.hazard > GradientHazard::jump) return hazardous(result.value, result.axes, result.hazard);
     result.wrap = a.wrap + b.wrap;
-    for (int i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
         if (dependsOn(result.axes, i)) result.slope[i] = a.slope[i] + b.slope[i];
     result.steepness = lengthOfSum(a.slope, a.steepness, b.slope, b.steepness);
     result.smooth = a.smooth && b.smooth;
     result.pieced = a.pieced || b.pieced;
     if (result.smooth)
-        forEachBend(result.axes, [&](int, int, int k) { result.bend[k] = a.bend[k] + b.bend[k]; });
+        forEachBend(result.axes,
+                    [&](std::size_t, std::size_t, std::size_t k) { result.bend[k] = a.bend[k] + b.bend[k]; });
     if (a.isSumOfPowers() && b.isSumOfPowers() && sameExponent(a.rootExponent, b.rootExponent)) {
         addRoots(a, b, result);
     } else if ((a.isSumOfPowers() && b.isConstant() && b.value.low >= 0) ||
@@ -243,7 +248,7 @@ void makeSquare(const IntervalGradient& a, const IntervalGradient& b, IntervalGr
     result.value.low = std::max(0.0, result.value.low);
     result.rootExponent = 2;
     result.rootSteepness = rootAbove(raised(a.steepness * b.steepness));
-    forEachBend(result.axes, [&](int i, int j, int k) {
+    forEachBend(result.axes, [&](std::size_t i, std::size_t j, std::size_t k) {
         // Parts of one gradient, up to a factor: on the diagonal they have the same sign.
         result.rootSpread[k] = a.slope[i] * b.slope[j];
         if (i == j) result.rootSpread[k].low = std::max(0.0, result.rootSpread[k].low);
@@ -272,12 +277,14 @@ IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, co
     result.axes = a.axes | b.axes;
     result.hazard = worse(a.hazard, b.hazard);
     if (result.hazard > GradientHazard::jump) return hazardous(value, result.axes, result.hazard);
-    for (int i = 0; i < 3; ++i) result.slope[i] = hull(a.slope[i], b.slope[i]);
+    for (std::size_t i = 0; i < 3; ++i) result.slope[i] = hull(a.slope[i], b.slope[i]);
     result.steepness = std::max(a.steepness, b.steepness);
     result.pieced = result.axes != 0;
     result.smooth = a.smooth && b.smooth;
     if (result.smooth)
-        forEachBend(result.axes, [&](int, int, int k) { result.bend[k] = hull(a.bend[k], b.bend[k]); });
+        forEachBend(result.axes, [&](std::size_t, std::size_t, std::size_t k) {
+            result.bend[k] = hull(a.bend[k], b.bend[k]);
+        });
     if (a.angleSteepness > 0 && b.angleSteepness > 0)
         result.angleSteepness = std::max(a.angleSteepness, b.angleSteepness);
     settle(result);

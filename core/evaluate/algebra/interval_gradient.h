@@ -60,8 +60,8 @@ struct IntervalGradient {
 };
 
 /// Position of the second derivative in axes i and j.
-constexpr int bendIndex(int i, int j) {
-    constexpr int first[3] = {0, 2, 3};
+constexpr std::size_t bendIndex(std::size_t i, std::size_t j) {
+    constexpr std::size_t first[3] = {0, 2, 3};
     return i <= j ? first[i] + j : first[j] + i;
 }
 
@@ -77,7 +77,7 @@ IntervalGradient constant(const Interval& value);
 /// Undefined in the whole box: no slopes anywhere.
 IntervalGradient undefinedEverywhere();
 /// The coordinate `axis` (0 to 2) itself over `range`: slope 1 along its axis.
-IntervalGradient coordinate(int axis, const Interval& range);
+IntervalGradient coordinate(std::size_t axis, const Interval& range);
 /// A value whose slopes have no bound along `axes`, for the reason `hazard`: slopes and steepness are
 /// infinite.
 IntervalGradient hazardous(const Interval& value, std::uint8_t axes, GradientHazard hazard);

@@ -31,7 +31,7 @@ IntervalGradient extremum(Operation operation, const IntervalGradient& a, const 
     if (a.isSumOfPowers() && a.rootExponent == b.rootExponent && result.bounded()) {
         result.rootExponent = a.rootExponent;
         result.rootSteepness = std::max(a.rootSteepness, b.rootSteepness);
-        for (int k = 0; k < 6; ++k) result.rootSpread[k] = hull(a.rootSpread[k], b.rootSpread[k]);
+        for (std::size_t k = 0; k < 6; ++k) result.rootSpread[k] = hull(a.rootSpread[k], b.rootSpread[k]);
     }
     return result;
 }

@@ -197,7 +197,7 @@ IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b) 
         result.rootExponent = a.rootExponent;
         result.rootSteepness =
             raised(a.rootSteepness * std::pow(inverse.high, 1 / a.rootExponent) * (1 + 1e-14));
-        for (int k = 0; k < 6; ++k) result.rootSpread[k] = rangeOf(inverse) * a.rootSpread[k];
+        for (std::size_t k = 0; k < 6; ++k) result.rootSpread[k] = rangeOf(inverse) * a.rootSpread[k];
     }
     return result;
 }

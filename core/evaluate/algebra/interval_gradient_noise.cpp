@@ -14,17 +14,18 @@ namespace {
 /// The second derivatives of a function of three places with these derivatives.
 void addBends(Operands places, const std::array<SlopeRange, 3>& slope, const std::array<SlopeRange, 6>& bend,
               IntervalGradient& result) {
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
         const IntervalGradient& p = *places[k];
-        forEachBend(p.axes,
-                    [&](int, int, int at) { result.bend[at] = result.bend[at] + slope[k] * p.bend[at]; });
-        forEachBend(p.axes, [&](int i, int j, int at) {
+        forEachBend(p.axes, [&](std::size_t, std::size_t, std::size_t at) {
+            result.bend[at] = result.bend[at] + slope[k] * p.bend[at];
+        });
+        forEachBend(p.axes, [&](std::size_t i, std::size_t j, std::size_t at) {
             const SlopeRange product = i == j ? square(p.slope[i]) : p.slope[i] * p.slope[j];
             result.bend[at] = result.bend[at] + bend[bendIndex(k, k)] * product;
         });
-        for (int l = k + 1; l < 3; ++l) {
+        for (std::size_t l = k + 1; l < 3; ++l) {
             const IntervalGradient& q = *places[l];
-            forEachBend(p.axes | q.axes, [&](int i, int j, int at) {
+            forEachBend(p.axes | q.axes, [&](std::size_t i, std::size_t j, std::size_t at) {
                 const SlopeRange crossed = p.slope[i] * q.slope[j] + q.slope[i] * p.slope[j];
                 result.bend[at] = result.bend[at] + bend[bendIndex(k, l)] * crossed;
             });
@@ -51,14 +52,14 @@ IntervalGradient ofThree(Operands places, const Interval& value, const std::arra
     double steepestPlace = 0;
     bool perpendicular = true;
     std::uint8_t seen = 0;
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
         const IntervalGradient& p = *places[k];
         perpendicular = perpendicular && (seen & p.axes) == 0;
         seen |= p.axes;
         steepestPlace = std::max(steepestPlace, p.steepness);
-        for (int i = 0; i < 3; ++i) {
+        for (std::size_t i = 0; i < 3; ++i) {
             result.slope[i] = result.slope[i] + slope[k] * p.slope[i];
-            for (int j = i; j < 3; ++j)
+            for (std::size_t j = i; j < 3; ++j)
                 spread[bendIndex(i, j)] = spread[bendIndex(i, j)] + p.slope[i] * p.slope[j];
         }
     }
@@ -74,7 +75,7 @@ namespace {
 /// The places as a box; false when they reach beyond the lattice.
 bool boxOf(Operands places, std::array<double, 3>& low, std::array<double, 3>& high) {
     constexpr double limit = 2147483646.0;
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
         const Interval& p = places[k]->value;
         if (p.empty() || p.maybeUndefined || !(p.low > -limit && p.high < limit)) return false;
         low[k] = p.low;

@@ -12,7 +12,7 @@ namespace {
 
 std::array<SlopeRange, 6> outerSquare(const IntervalGradient& u) {
     std::array<SlopeRange, 6> result{};
-    forEachBend(u.axes, [&](int i, int j, int k) {
+    forEachBend(u.axes, [&](std::size_t i, std::size_t j, std::size_t k) {
         result[k] = i == j ? square(u.slope[i]) : u.slope[i] * u.slope[j];
     });
     return result;
@@ -25,7 +25,7 @@ double rootSlopeAbove(const IntervalGradient& s) {
 }
 
 /// The same along one axis.
-double rootSlopeAbove(const IntervalGradient& s, int axis) {
+double rootSlopeAbove(const IntervalGradient& s, std::size_t axis) {
     const double all = rootSlopeAbove(s);
     return s.rootExponent != 2 ? all : std::min(all, rootAbove(s.rootSpread[bendIndex(axis, axis)].high));
 }
@@ -50,7 +50,7 @@ void addRoots(const IntervalGradient& s, const IntervalGradient& t, IntervalGrad
                                : raised(length * rootAbove(raised(raised(a * a) + raised(b * b))));
     if (e != 2) return;
     const auto spread = t.rootExponent == 2 ? t.rootSpread : spreadWithin(t.rootSteepness);
-    for (int k = 0; k < 6; ++k) result.rootSpread[k] = s.rootSpread[k] + spread[k];
+    for (std::size_t k = 0; k < 6; ++k) result.rootSpread[k] = s.rootSpread[k] + spread[k];
 }
 
 IntervalGradient squareOf(const IntervalGradient& u) {
@@ -77,7 +77,7 @@ void useRoot(const IntervalGradient& s, double n, IntervalGradient& result) {
         steepest = raised(raised(rest.high) * exponent) * (1 + 1e-13);
     }
     result.steepness = std::min(result.steepness, raised(steepest * rootSlopeAbove(s)));
-    for (int i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
         if (dependsOn(s.axes, i))
             result.slope[i] =
                 meet(result.slope[i], SlopeRange::within(raised(steepest * rootSlopeAbove(s, i))));
@@ -96,7 +96,7 @@ IntervalGradient powerThroughRoot(const IntervalGradient& s, const Interval& val
     result.axes = s.axes;
     result.hazard = s.hazard;
     result.smooth = false;
-    for (int i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
         if (dependsOn(s.axes, i)) result.slope[i] = SlopeRange::within(std::numeric_limits<double>::max());
     result.steepness = std::numeric_limits<double>::max();
     useRoot(s, n, result);

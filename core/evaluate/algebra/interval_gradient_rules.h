@@ -13,13 +13,13 @@ namespace isoscope::gradient_rules {
 using Operands = std::span<const IntervalGradient* const>;
 
 /// Whether IntervalGradient::axes holds an axis, 0 to 2.
-constexpr bool dependsOn(std::uint8_t axes, int axis) { return (axes >> axis & 1) != 0; }
+constexpr bool dependsOn(std::uint8_t axes, std::size_t axis) { return (axes >> axis & 1) != 0; }
 
 /// Calls visit(i, j, index) for the second derivatives that may be other than 0.
 template <class Visit>
 void forEachBend(std::uint8_t axes, Visit visit) {
-    for (int i = 0; i < 3; ++i)
-        for (int j = i; j < 3; ++j)
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = i; j < 3; ++j)
             if (dependsOn(axes, i) && dependsOn(axes, j)) visit(i, j, bendIndex(i, j));
 }
 

@@ -122,9 +122,9 @@ struct PointAlgebra {
         return hn::IfThenElse(hn::Lt(a, zero), b, hn::IfThenElse(hn::Eq(a, zero), c, d));
     }
 
-    /// Components of the vector noise for `lanes` lanes, each into a target of its own, of which the last may
-    /// be the memory of a coordinate.
-    static void vectorNoise(std::span<const int> components, const std::array<const double*, 3>& place,
+    /// The `wanted` components of the vector noise for `lanes` lanes, each into a target of its own, of which
+    /// the last may be the memory of a coordinate.
+    static void vectorNoise(std::span<const int> wanted, const std::array<const double*, 3>& place,
                             const std::array<double*, 3>& targets, std::size_t lanes);
     /// Noise and crackle: `lanes` is the number of lanes to compute.
     /// noise() of a generator 0 to 3; of 0 to 2 also without lanes for a y of 0.

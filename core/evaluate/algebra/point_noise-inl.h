@@ -17,13 +17,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
-inline void PointAlgebra::vectorNoise(std::span<const int> components,
-                                      const std::array<const double*, 3>& place,
+inline void PointAlgebra::vectorNoise(std::span<const int> wanted, const std::array<const double*, 3>& place,
                                       const std::array<double*, 3>& targets, std::size_t lanes) {
     const LatticeCells cells(place, lanes, allVectors);
     NoiseColumns noise;
-    for (std::size_t k = 0; k < components.size(); ++k) {
-        cells.sample<NoiseOrder::value>(components[k], noise);
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+        cells.sample<NoiseOrder::value>(wanted[k], noise);
         for (std::size_t i = 0; i < lanes; i += vectorLanes) store(load(noise.value + i), targets[k] + i);
     }
 }
@@ -48,7 +47,7 @@ inline void PointAlgebra::scalarOperation(const Instruction& instruction, const 
     }
     std::array<double, 4> values{};
     for (std::size_t i = 0; i < lanes; ++i) {
-        for (int k = 0; k < instruction.operandCount; ++k) values[k] = operands[k][i];
+        for (std::size_t k = 0; k < instruction.operandCount; ++k) values[k] = operands[k][i];
         target[i] = evaluateOperation(instruction.operation,
                                       std::span(values).first(instruction.operandCount), crackle);
     }

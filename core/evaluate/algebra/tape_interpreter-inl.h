@@ -255,7 +255,7 @@ class TapeInterpreter {
     }
 
     /// The lanes of operand `k`, a uniform one spread out.
-    const double* spread(const Instruction& instruction, int k) {
+    const double* spread(const Instruction& instruction, std::size_t k) {
         const Slot slot = instruction.operands[k];
         if (!workspace_.isUniform(slot)) return workspace_.address(slot);
         double* room = workspace_.spread(k);
@@ -299,7 +299,7 @@ class TapeInterpreter {
                                       lanes(), workspace_.slot(instruction.target));
             }
         std::array<const double*, 4> operands{};
-        for (int k = 0; k < instruction.operandCount; ++k) operands[k] = spread(instruction, k);
+        for (std::size_t k = 0; k < instruction.operandCount; ++k) operands[k] = spread(instruction, k);
         const CrackleSettings* crackle = instruction.operation == Operation::crackle
                                              ? &workspace_.tape().crackle(instruction.index)
                                              : nullptr;

@@ -28,6 +28,8 @@ namespace isoscope::HWY_NAMESPACE {
 #define ISOSCOPE_NO_LABELS nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
 // clang-format on
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpedantic"  // as in point_steps-inl.h
 /// Runs the steps up to an `end` on `vectors` vectors from lane `first` on.
 template <class Algebra, std::size_t vectors>
 HWY_NOINLINE void runComposedBlock(const ProgramStep* step, std::size_t first) {
@@ -67,6 +69,7 @@ store:
 end:
     return;
 }
+#pragma GCC diagnostic pop
 
 #undef ISOSCOPE_NO_LABELS
 #undef ISOSCOPE_CHOICE_LABELS

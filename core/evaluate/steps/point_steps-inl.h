@@ -83,6 +83,8 @@ struct PointMachine : StepMachine<PointAlgebra, pointVectors> {
     ISOSCOPE_OPERANDS(make, maximum) ISOSCOPE_OPERANDS(make, maximumFrom)
 // clang-format on
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpedantic"  // addresses of labels: g++ and clang++ know them alike
 /// Runs the steps up to an `end` on the vectors from lane `first` on. `scratch` is room for two numbers of
 /// all lanes.
 inline HWY_NOINLINE void runPointBlock(const ProgramStep* step, std::size_t first, double* scratch) {
@@ -117,6 +119,7 @@ store:
 end:
     return;
 }
+#pragma GCC diagnostic pop
 
 #undef ISOSCOPE_POINT_OPERATIONS
 #undef ISOSCOPE_OPERANDS

@@ -93,7 +93,7 @@ void StepProgramCompiler::findReaders(std::span<const Slot> results) {
     std::uint32_t stretch = 0;
     for (InstructionIndex place = 0; place < instructions_.size(); ++place) {
         const Instruction& instruction = instructions_[place];
-        for (int k = 0; k < instruction.operandCount; ++k) {
+        for (std::size_t k = 0; k < instruction.operandCount; ++k) {
             values_[place].definitions[k] = writer[instruction.operands[k]];
             read(writer[instruction.operands[k]], place);
         }
@@ -174,7 +174,7 @@ bool StepProgramCompiler::staysComputable(InstructionIndex place) const {
         if (place - from <= farthestReader && next(from) == place) return false;
     }
     for (InstructionIndex between = place + 1; between < reader; ++between)
-        for (int k = 0; k < instruction.operandCount; ++k)
+        for (std::size_t k = 0; k < instruction.operandCount; ++k)
             if (instructions_[between].target == instruction.operands[k]) return false;
     return true;
 }
@@ -250,7 +250,7 @@ bool StepProgramCompiler::emitTermOf(InstructionIndex place) {
 /// A step with an operand from memory, from a copy of the accumulator, or computed here.
 void StepProgramCompiler::emitTerm(StepOperation operation, InstructionIndex place, int operand) {
     const InstructionIndex from = definition(place, operand);
-    const Slot slot = instructions_[place].operands[operand];
+    const Slot slot = instructions_[place].operands[static_cast<std::size_t>(operand)];
     if (from != nowhere && values_[from].deferred)
         emitStep(operation, values_[from].deferred);
     else if (isInCopy(place, operand))

@@ -26,7 +26,7 @@ class KnownRatios {
     }
 
     /// Whether operand k of the instruction is a coordinate by a length: y / sqrt(x^2 + y^2).
-    bool isSine(std::size_t instruction, int k) const {
+    bool isSine(std::size_t instruction, std::size_t k) const {
         const std::uint32_t quotient = operands_[instruction][k].writer;
         if (!is(quotient, Operation::divide)) return false;
         const std::uint32_t root = operands_[quotient][1].writer;
@@ -77,8 +77,8 @@ OperandDomains::OperandDomains(const Tape& tape, const IntervalEvaluator& everyw
     const std::span<const Instruction> instructions = tape.instructions();
     const KnownRatios ratios(tape);
     for (std::size_t number = 0; number < instructions.size(); ++number)
-        for (int k = 0; k < std::min<int>(instructions[number].operandCount, 2); ++k) {
-            const Interval& range = everywhere.operandRange(number, k);
+        for (std::size_t k = 0; k < std::min<std::size_t>(instructions[number].operandCount, 2); ++k) {
+            const Interval& range = everywhere.operandRange(number, static_cast<int>(k));
             // An operand that never has a value needs no limits.
             if (range.empty()) continue;
             const bool isSine = ratios.isSine(number, k);

@@ -98,7 +98,7 @@ void TapeCompiler::extractUniforms() {
 
 void TapeCompiler::copyUniform(FunctionGraph& target, NodeId id, std::vector<NodeId>& copies) const {
     const Node& node = graph_[id];
-    const auto operand = [&](int k) { return copies[node.operands[k]]; };
+    const auto operand = [&](std::size_t k) { return copies[node.operands[k]]; };
     switch (node.operation) {
         case Operation::constant: copies[id] = target.constant(node.value); return;
         case Operation::variable: copies[id] = target.constant(0); return;

@@ -93,7 +93,7 @@ void TapeSimplifier::markNeeded(Value result, Choose choose) {
     for (std::size_t word = end / wordBits + 1; word-- > 0;) {
         // Operands stand before what uses them, maybe in the same word.
         for (std::uint64_t below = ~std::uint64_t(0); (needed_[word] & below) != 0;) {
-            const int bit = std::bit_width(needed_[word] & below) - 1;
+            const auto bit = static_cast<int>(std::bit_width(needed_[word] & below)) - 1;
             below = (std::uint64_t(1) << bit) - 1;
             const auto i = static_cast<std::uint32_t>(word * wordBits) + static_cast<std::uint32_t>(bit);
             const Instruction& instruction = base_->instructions[i];

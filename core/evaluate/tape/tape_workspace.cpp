@@ -37,8 +37,8 @@ TapeWorkspace::TapeWorkspace(const Tape& tape, const UniformValues& uniforms, st
     loopAllowance_.fill(LoopRange::topAllowance);
 }
 
-bool TapeWorkspace::isSpread(int operand, Slot slot, std::size_t lanes) {
-    Spread& spread = spreads_[static_cast<std::size_t>(operand)];
+bool TapeWorkspace::isSpread(std::size_t operand, Slot slot, std::size_t lanes) {
+    Spread& spread = spreads_[operand];
     if (spread.slot == slot && spread.lanes >= lanes) return true;
     spread = {slot, lanes};
     return false;
@@ -46,7 +46,7 @@ bool TapeWorkspace::isSpread(int operand, Slot slot, std::size_t lanes) {
 
 double* TapeWorkspace::ownArgument(int index) {
     double* own = slot(static_cast<Slot>(index));
-    addresses_[index] = own;
+    addresses_[static_cast<std::size_t>(index)] = own;
     return own;
 }
 

@@ -51,10 +51,10 @@ class TapeWorkspace {
     double* ownArgument(int index);
 
     /// Room for uniform operand `operand` (0 to 3) of an instruction, spread over the lanes.
-    double* spread(int operand) { return spread_.get() + static_cast<std::size_t>(operand) * stride_; }
+    double* spread(std::size_t operand) { return spread_.get() + operand * stride_; }
     /// Whether the value of a uniform slot is spread there over so many lanes already; if not, the caller is
     /// to do that now. Loops of noises want the same few again and again.
-    bool isSpread(int operand, Slot slot, std::size_t lanes);
+    bool isSpread(std::size_t operand, Slot slot, std::size_t lanes);
     /// Room for two numbers of all lanes, between instructions.
     double* scratch() {
         forgetSpread();

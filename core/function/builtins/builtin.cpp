@@ -93,7 +93,8 @@ const std::array<Formula, highestId + 1>& numberedFormulas() {
         std::array<Formula, highestId + 1> all{};
         for (const auto family : {latheFormulas(), algebraicFormulas(), shapedFormulas(), gaussianFormulas(),
                                   distanceFormulas(), helicalFormulas(), fractalFormulas()})
-            for (const NumberedFormula& entry : family) all[entry.id] = entry.formula;
+            for (const NumberedFormula& entry : family)
+                all[static_cast<std::size_t>(entry.id)] = entry.formula;
         return all;
     }();
     return formulas;
@@ -178,7 +179,7 @@ const Builtin* findBuiltin(int id) {
 
 Expression buildBuiltin(const Builtin& builtin, std::span<const Expression> arguments, int noiseGenerator) {
     if (builtin.id >= 0)
-        return numberedFormulas()[builtin.id](
+        return numberedFormulas()[static_cast<std::size_t>(builtin.id)](
             {arguments[0], arguments[1], arguments[2], arguments.subspan(3), noiseGenerator});
     const Pattern* pattern = namedPattern(builtin.name);
     if (!pattern) return buildDerived(builtin.name, arguments, noiseGenerator);
@@ -198,10 +199,11 @@ std::string sampleCall(const Builtin& builtin) {
 }
 
 bool isStructural(const Builtin& builtin, int index) {
-    if (index < 0 || index >= static_cast<int>(builtin.parameters.size())) return false;
+    const auto at = static_cast<std::size_t>(index);
+    if (index < 0 || at >= builtin.parameters.size()) return false;
     static constexpr std::array<std::string_view, 5> names{"Octaves", "Number of Tubes", "Cross Section Type",
                                                            "SOR Switch", "Noise Generator"};
-    return std::find(names.begin(), names.end(), builtin.parameters[index].name) != names.end();
+    return std::find(names.begin(), names.end(), builtin.parameters[at].name) != names.end();
 }
 
 }  // namespace isoscope

@@ -7,7 +7,7 @@ namespace isoscope {
 namespace {
 
 /// The profile with switch, offset and angle in the parameters `first` to `first` + 2.
-std::pair<Expression, Expression> profile(const BuiltinCall& call, int first) {
+std::pair<Expression, Expression> profile(const BuiltinCall& call, std::size_t first) {
     return latheProfile(call.x, call.y, call.z, call.p[first], call.p[first + 1], call.p[first + 2]);
 }
 

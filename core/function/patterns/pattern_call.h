@@ -35,7 +35,7 @@ Expression patternNoise(const PatternCall& call, double factor = 1);
 Expression turbulence(const PatternCall& call);
 
 /// One component (0, 1, 2) of the vector turbulence there, with the same settings.
-Expression turbulenceComponent(const PatternCall& call, int axis);
+Expression turbulenceComponent(const PatternCall& call, std::size_t axis);
 
 /// Raw values by family; each handles the kinds it is named for.
 Expression fractalPattern(const PatternCall& call);

@@ -44,7 +44,7 @@ Expression fractalPattern(const PatternCall& call) {
         least = fromZero && k == 0 ? fractal::squaredSize(u) : min(least, fractal::squaredSize(u));
     }
     Expression value = fractal::colored(pattern.interior, u, sqrt(least) * pattern.interior.factor, true);
-    for (int k = count; k-- > 0;) value = select(margins[k], values[k], value);
+    for (std::size_t k = values.size(); k-- > 0;) value = select(margins[k], values[k], value);
     return value;
 }
 

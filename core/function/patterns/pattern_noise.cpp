@@ -62,7 +62,7 @@ Expression marble(const PatternCall& call) {
 Expression wood(const PatternCall& call) {
     const auto& amounts = call.pattern.turbulence;
     if (!amounts) return length(call.x, call.y);
-    const auto moved = [&](Expression coordinate, int axis) {
+    const auto moved = [&](Expression coordinate, std::size_t axis) {
         return coordinate + cycle((coordinate + turbulenceComponent(call, axis)) * (*amounts)[axis]);
     };
     return length(moved(call.x, 0), moved(call.y, 1));
@@ -85,7 +85,8 @@ Expression turbulence(const PatternCall& call) {
     return sum;
 }
 
-Expression vectorTurbulence(const PatternPoint& point, int axis, int octaves, double lambda, double omega) {
+Expression vectorTurbulence(const PatternPoint& point, std::size_t axis, int octaves, double lambda,
+                            double omega) {
     constexpr Operation components[] = {Operation::noiseGradientX, Operation::noiseGradientY,
                                         Operation::noiseGradientZ};
     FunctionGraph& graph = point[0].graph();
@@ -101,7 +102,7 @@ Expression vectorTurbulence(const PatternPoint& point, int axis, int octaves, do
     return sum;
 }
 
-Expression turbulenceComponent(const PatternCall& call, int axis) {
+Expression turbulenceComponent(const PatternCall& call, std::size_t axis) {
     const Pattern& pattern = call.pattern;
     return vectorTurbulence({call.x, call.y, call.z}, axis, pattern.octaves, pattern.lambda, pattern.omega);
 }

@@ -19,7 +19,7 @@ Expression gradient(const PatternCall& call) {
     // A direction without length has no gradient: POV-Ray gives NaN too.
     Expression t = call.number(size > 0 ? 0 : std::nan(""));
     bool empty = size > 0;
-    for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
         if (v[axis] == 0) continue;
         const double share = v[axis] / size;
         const Expression term = share == 1 ? coordinates[axis] : share * coordinates[axis];

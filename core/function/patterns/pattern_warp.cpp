@@ -27,7 +27,7 @@ PatternPoint warped(const TransformWarp& warp, const PatternPoint& p) {
 
 PatternPoint warped(const TurbulenceWarp& warp, const PatternPoint& p) {
     PatternPoint result = p;
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
         if (warp.amount[axis] != 0)
             result[axis] = p[axis] + warp.amount[axis] *
                                          vectorTurbulence(p, axis, warp.octaves, warp.lambda, warp.omega);
@@ -36,13 +36,14 @@ PatternPoint warped(const TurbulenceWarp& warp, const PatternPoint& p) {
 
 PatternPoint warped(const RepeatWarp& warp, const PatternPoint& p) {
     const double width = singlePrecision(warp.width);
-    const Expression number = floor(p[warp.axis] / width);
+    const auto across = static_cast<std::size_t>(warp.axis);
+    const Expression number = floor(p[across] / width);
     PatternPoint result = p;
-    result[warp.axis] = p[warp.axis] - number * width;
+    result[across] = p[across] - number * width;
     const Expression isOdd = number - 2 * floor(number / 2);
-    for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
         if (warp.flip[axis]) {
-            const Expression mirrored = axis == warp.axis ? width - result[axis] : -result[axis];
+            const Expression mirrored = axis == across ? width - result[axis] : -result[axis];
             result[axis] = select(0.5 - isOdd, mirrored, result[axis]);
         }
         if (warp.offset[axis] != 0) result[axis] = result[axis] + number * warp.offset[axis];
@@ -52,13 +53,13 @@ PatternPoint warped(const RepeatWarp& warp, const PatternPoint& p) {
 
 PatternPoint warped(const BlackHoleWarp& warp, const PatternPoint& p) {
     PatternPoint away;
-    for (int axis = 0; axis < 3; ++axis) away[axis] = p[axis] - warp.center[axis];
+    for (std::size_t axis = 0; axis < 3; ++axis) away[axis] = p[axis] - warp.center[axis];
     const Expression distance = length(away[0], away[1], away[2]);
     const Expression depth = max(1 - distance / warp.radius, 0);
     const Expression pull = min(warp.strength * pow(depth, depth.number(warp.falloff)), 1);
     const Expression inside = select(distance - warp.radius, warp.inverse ? -pull : pull, pull.number(0));
     PatternPoint result;
-    for (int axis = 0; axis < 3; ++axis) result[axis] = p[axis] + away[axis] * inside;
+    for (std::size_t axis = 0; axis < 3; ++axis) result[axis] = p[axis] + away[axis] * inside;
     return result;
 }
 

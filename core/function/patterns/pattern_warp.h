@@ -68,6 +68,7 @@ PatternPoint warpedPoint(const PatternWarp& warp, const PatternPoint& point);
 
 /// One component (axis 0, 1, 2) of the vector turbulence DTurb (docs/povray/noise.md, section 7). Octaves are
 /// held in 1..10, lambda and omega rounded to single precision.
-Expression vectorTurbulence(const PatternPoint& point, int axis, int octaves, double lambda, double omega);
+Expression vectorTurbulence(const PatternPoint& point, std::size_t axis, int octaves, double lambda,
+                            double omega);
 
 }  // namespace isoscope

@@ -5,9 +5,9 @@
 
 namespace isoscope {
 
-const Wrapping* ObjectDescription::wrapping(std::string_view keyword) const {
-    const auto found = std::ranges::find_if(
-        wrappings, [&](const Wrapping& wrapping) { return wrapping.modifier->keyword == keyword; });
+const Wrapping* ObjectDescription::wrapping(std::string_view word) const {
+    const auto found =
+        std::ranges::find_if(wrappings, [&](const Wrapping& each) { return each.modifier->keyword == word; });
     return found == wrappings.end() ? nullptr : &*found;
 }
 

@@ -46,9 +46,9 @@ struct ProgressiveRenderer::Implementation : ProgressiveJob::Listener {
         double atOnceSeconds = 0;
     };
 
-    Implementation(int threads, std::function<void()> news)
+    Implementation(int threads, std::function<void()> tell)
         : pool(defaultThreads(threads)),
-          news(std::move(news)),
+          news(std::move(tell)),
           coordinator([this](std::stop_token end) { coordinate(end); }) {}
     ~Implementation() override { abandon(); }
 

@@ -19,8 +19,9 @@ bool GeneralSearchLanes::add(std::size_t line, const LineQuery& query, double su
     search.goTo(start, at(lane));
     lineOf_[lane] = line;
     for (int k = 0; k < 3; ++k) {
-        pieces_.origin[k][lane] = query.origin[k];
-        pieces_.direction[k][lane] = query.direction[k];
+        const auto axis = static_cast<std::size_t>(k);
+        pieces_.origin[axis][lane] = query.origin[k];
+        pieces_.direction[axis][lane] = query.direction[k];
     }
     ++active_;
     ++alive_;

@@ -31,8 +31,9 @@ std::optional<LineBundle> LineBundle::around(const LineColumns& lines, std::size
 
 void LineBundle::place(std::size_t lane, RayPieces& pieces, RaySpread& spread) const {
     for (int k = 0; k < 3; ++k) {
-        pieces.origin[k][lane] = origin[k], spread.origin[k][lane] = originSpread[k];
-        pieces.direction[k][lane] = direction[k], spread.direction[k][lane] = directionSpread[k];
+        const auto axis = static_cast<std::size_t>(k);
+        pieces.origin[axis][lane] = origin[k], spread.origin[axis][lane] = originSpread[k];
+        pieces.direction[axis][lane] = direction[k], spread.direction[axis][lane] = directionSpread[k];
     }
 }
 

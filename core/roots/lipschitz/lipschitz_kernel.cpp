@@ -88,7 +88,7 @@ HalvingStep halveLanes(HalvingState& state, const double* values, std::size_t co
 
 void placeLanes(HalvingState& state, std::size_t count) {
     const Doubles d;
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
         for (std::size_t i = 0; i < count; i += hn::MaxLanes(d)) {
             const Vector way =
                 hn::Mul(hn::Load(d, &state.wanted[i]), hn::LoadU(d, &state.direction[axis][i]));

@@ -42,7 +42,7 @@ HeightGrid heightGrid(const Raster& raster) {
 /// A ray with what all squares need of it.
 class HeightField::Walk {
   public:
-    explicit Walk(const Ray& ray) : ray(ray), line(ray) {}
+    explicit Walk(const Ray& along) : ray(along), line(along) {}
 
     const Ray& ray;
     TriangleLine line;

@@ -19,10 +19,11 @@ void moveColumns(const glm::dmat4& matrix, const RayBatch& rays, RayBatch& to) {
     const Doubles d;
     const auto origins = rays.origins(), directions = rays.directions();
     for (int c = 0; c < 3; ++c) {
+        const auto axis = static_cast<std::size_t>(c);
         const Vector x = constant(matrix[0][c]), y = constant(matrix[1][c]), z = constant(matrix[2][c]),
                      shift = constant(matrix[3][c]);
-        double* const origin = to[static_cast<RayBatch::Column>(RayBatch::originX + c)];
-        double* const direction = to[static_cast<RayBatch::Column>(RayBatch::directionX + c)];
+        double* const origin = to[static_cast<RayBatch::Column>(RayBatch::originX + axis)];
+        double* const direction = to[static_cast<RayBatch::Column>(RayBatch::directionX + axis)];
         for (std::size_t k = 0; k < rays.size(); k += hn::Lanes(d)) {
             const Triple p = load(origins, k), v = load(directions, k);
             const Vector moved =
