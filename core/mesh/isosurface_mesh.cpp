@@ -68,7 +68,7 @@ class IsosurfaceMesher {
         PolygonMesh made;
         MeshDistance distance;
         for (int round = 0; !stop_.stop_requested(); ++round) {
-            surface_ = findPolygons(tree_, samples_, samplers_, workers_, stop_);
+            findForm();
             if (stop_.stop_requested()) break;
             made = makeTriangles(surface_, field_, tree_, samples_, tolerance_, samplers_, workers_, stop_);
             distance = measureDistance(made, tolerance_, samplers_, workers_, stop_);
@@ -98,6 +98,35 @@ class IsosurfaceMesher {
         // each point of the mesh is near enough to a crossing.
         finest_ = limits.finest + 2;
         return limits;
+    }
+
+    /// Finds the polygons, and splits leaves until what bulges into one from a finer neighbour hangs together
+    /// with the rest in it, or both are as fine.
+    void findForm() {
+        for (;;) {
+            surface_ = findPolygons(tree_, samples_, samplers_, workers_, stop_);
+            std::vector<std::uint32_t> parted = partedLeaves();
+            if (parted.empty() || refinement_.limited() || stop_.stop_requested()) return;
+            refinement_.split(std::move(parted), {}, stop_);
+        }
+    }
+
+    /// The leaves with several sheets of which one has an edge of a finer neighbour: a part of the solid that
+    /// reaches through a face between the corners would be cut off there. In others the corners, which have
+    /// been judged, make the sheets.
+    std::vector<std::uint32_t> partedLeaves() const {
+        std::vector<std::uint8_t> sheets(tree_.size(), 0), finer(tree_.size(), 0);
+        for (std::size_t vertex = 0; vertex < surface_.vertexCount(); ++vertex) {
+            const std::uint32_t cell = surface_.cells[vertex];
+            sheets[cell] = std::min(sheets[cell] + 1, 2);
+            for (std::uint32_t i = surface_.firstCorner[vertex]; i < surface_.firstCorner[vertex + 1]; ++i)
+                if (surface_.polygons[surface_.corners[i].polygon].edge.level > tree_[cell].level)
+                    finer[cell] = 1;
+        }
+        std::vector<std::uint32_t> leaves;
+        for (std::uint32_t cell = 0; cell < tree_.size(); ++cell)
+            if (sheets[cell] > 1 && finer[cell] != 0) leaves.push_back(cell);
+        return leaves;
     }
 
     /// The largest leaves around polygons, those that may be split.

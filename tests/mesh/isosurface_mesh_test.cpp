@@ -227,6 +227,32 @@ class IsosurfaceMeshTest : public QObject {
         QCOMPARE(plain.mesh.colors.front(), 0xffff8000u);
     }
 
+    // A ball that reached through the face of a coarser leaf, but not to its corners, came to two pieces.
+    void aBulgeThroughACoarserFaceIsNoPieceOfItsOwn() {
+        const SceneMesh made = meshOf(R"(
+isosurface {
+  function {
+    min(10
+      #declare I = 0;
+      #while (I < 64)
+        #declare A = I*2.39996;
+        #declare H = 1 - 2*(I + 0.5)/64;
+        #declare R = 1.6*sqrt(1 - H*H);
+        , f_sphere(x - R*cos(A), y - 1.6*H, z - R*sin(A), 0.22)
+        #declare I = I + 1;
+      #end
+    )
+  }
+  contained_by { sphere { 0, 2 } }
+})",
+                                      0.008);
+        QCOMPARE(made.problem, std::string());
+        const CheckedMesh checked = checkMesh(made.mesh);
+        QCOMPARE(checked.fault, std::string());
+        QCOMPARE(checked.pieces, std::size_t(64));
+        QCOMPARE(checked.genus(), 0L);
+    }
+
     void aStopEndsIt() {
         const ParseResult parsed = parseScene(statement("sin(9*x)*sin(9*y)*sin(9*z)", box2));
         std::stop_source source;
