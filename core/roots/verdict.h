@@ -10,7 +10,7 @@ enum class Verdict : std::uint8_t {
     certifiedHit,    ///< nothing between the start and the first root
     certifiedMiss,   ///< no root at all
     gap,             ///< the same, except for unresolved places narrower than a hundredth of the accuracy
-    budgetExceeded,  ///< the evaluations ran out; the rest of the line was only sampled
+    budgetExceeded,  ///< the evaluations ran out; the rest was sampled, or searched as POV-Ray does
     notCertified,    ///< the function holds an operation without proven bounds
 };
 

@@ -408,6 +408,15 @@ class SceneEditorTest : public QObject {
         QTRY_VERIFY(editor_->isListActive());
     }
 
+    /// A bug once: the list stayed over the text when all of that was selected, and deleted.
+    void selectingEndsTheList() {
+        editor_->setNames({"MyRadius", "MyRadial"});
+        type(editor_.get(), "My");
+        QTRY_VERIFY(editor_->isListActive());
+        editor_->selectAll();
+        QTRY_VERIFY(!editor_->isListActive());
+    }
+
     void offersNothingInComments() {
         editor_->setNames({"MyRadius"});
         type(editor_.get(), "// My");

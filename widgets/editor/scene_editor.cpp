@@ -109,6 +109,10 @@ void SceneEditor::connectSignals() {
             [this](int position, int type, const char*, int length) { onModified(position, type, length); });
     connect(this, &QsciScintillaBase::SCN_CHARADDED, this, &SceneEditor::onCharacterAdded);
     connect(this, &QsciScintilla::cursorPositionChanged, this, &SceneEditor::onCaretMoved);
+    // What is offered belongs to the word at the caret.
+    connect(this, &QsciScintilla::selectionChanged, this, [this] {
+        if (hasSelectedText() && isListActive()) cancelList();
+    });
     connect(this, &QsciScintilla::linesChanged, this, &SceneEditor::updateLineNumberWidth);
     connect(this, &QsciScintillaBase::SCN_ZOOM, this, &SceneEditor::updateLineNumberWidth);
 }
