@@ -15,23 +15,37 @@
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
-/// One instruction that the algebra covers.
-template <class Algebra>
-void runCovered(TapeWorkspace& workspace, const Instruction& instruction, Algebra& algebra,
-                std::size_t lanes) {
+/// One instruction with an operation that the algebra covers. A loop for each operation: one for all of them
+/// would keep its operands in memory.
+template <Operation operation, class Algebra>
+HWY_NOINLINE void runOperation(TapeWorkspace& workspace, const Instruction& instruction, Algebra& algebra,
+                               std::size_t lanes) {
     using Number = typename Algebra::Number;
-    algebra.begin(workspace, instruction.number);
-    const auto operand = [&](std::size_t k, std::size_t lane) HWY_ATTR {
+    constexpr std::size_t count = arity(operation);
+    std::array<const double*, 4> places{};
+    std::array<Number, 4> uniforms{};
+    for (std::size_t k = 0; k < count; ++k) {
         const Slot slot = instruction.operands[k];
-        if (!workspace.isUniform(slot)) return Algebra::load(workspace.address(slot) + lane);
-        return Algebra::widen(Algebra::uniform(workspace.uniform(slot)));
-    };
+        if (workspace.isUniform(slot))
+            uniforms[k] = Algebra::widen(Algebra::uniform(workspace.uniform(slot)));
+        else
+            places[k] = workspace.address(slot);
+    }
     double* const target = workspace.slot(instruction.target);
     for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(Doubles())) {
         std::array<Number, 4> operands;
-        for (std::size_t k = 0; k < instruction.operandCount; ++k) operands[k] = operand(k, lane);
-        Algebra::store(algebra.run(instruction.operation, operands, lane), target + lane);
+        for (std::size_t k = 0; k < count; ++k)
+            operands[k] = places[k] != nullptr ? Algebra::load(places[k] + lane) : uniforms[k];
+        Algebra::store(algebra.run(operation, operands, lane), target + lane);
     }
+}
+template <class Algebra>
+void runCovered(TapeWorkspace& workspace, const Instruction& instruction, Algebra& algebra,
+                std::size_t lanes) {
+    algebra.begin(workspace, instruction.number);
+    Algebra::withCovered(instruction.operation, [&](auto operation) HWY_ATTR {
+        runOperation<operation()>(workspace, instruction, algebra, lanes);
+    });
 }
 
 /// Jumps, and what may come to whole numbers, by the algebra; the rest is run as ever.

@@ -25,6 +25,12 @@ std::size_t hashOf(const Node& node) {
     return hash;
 }
 
+/// Powers of 2: to multiply by 1 / value gives what the division does, to the last bit, and takes less time.
+bool hasExactInverse(double value) {
+    int exponent = 0;
+    return std::abs(std::frexp(value, &exponent)) == 0.5 && std::isnormal(value) && std::isnormal(1 / value);
+}
+
 }  // namespace
 
 bool operator==(const Node& a, const Node& b) {
@@ -92,6 +98,8 @@ NodeId FunctionGraph::binary(Operation operation, NodeId a, NodeId b) {
         return constant(evaluateOperation(operation, operands));
     }
     if (operation == Operation::multiply && a == b) return unary(Operation::square, a);
+    if (operation == Operation::divide && isConstant(b) && hasExactInverse(value(b)))
+        return binary(Operation::multiply, a, constant(1 / value(b)));
     const bool isFraction = operation == Operation::subtract && nodes_[b].operation == Operation::floor &&
                             nodes_[b].operands[0] == a;
     if (isFraction) return unary(Operation::fraction, a);

@@ -137,11 +137,14 @@ class AffineAlgebra {
         return productOf(p, reciprocalOf(q, domain(1)));
     }
     HWY_INLINE Number divide(const Number& p, Uniform c) const {
-        const Vector a = hn::Div(p.a, c.a), b = hn::Div(p.b, c.a);
-        const Vector rounding = hn::MulAdd(hn::Add(hn::Abs(a), hn::Abs(b)), constantVector(roundingUnit),
-                                           constantVector(underflow));
-        return keepUnknown(
-            p, {a, b, hn::MulAdd(hn::Div(p.e, hn::Abs(c.a)), constantVector(inflation), rounding)});
+        // One division for all lanes. The factor is rounded, too; below its smallest it would be by more.
+        const Vector factor = hn::Div(constantVector(1), c.a);
+        const Number scaled = scaledBy(p, factor);
+        const Vector rounding =
+            hn::Mul(hn::Add(hn::Abs(scaled.a), hn::Abs(scaled.b)), constantVector(roundingUnit));
+        const Vector e = hn::MulAdd(scaled.e, constantVector(inflation), rounding);
+        const Mask precise = hn::Ge(hn::Abs(factor), constantVector(underflow));
+        return keepUnknown(p, {scaled.a, scaled.b, hn::IfThenElse(precise, e, constantVector(unlimited))});
     }
     HWY_INLINE Number divide(Uniform c, const Number& p) const {
         return scaledBy(reciprocalOf(p, domain(1)), c.a);
@@ -201,6 +204,12 @@ class AffineAlgebra {
         const Number rest = chooseNumber(hn::Or(isUndefined(p), isUndefined(q)), q, unknownNumber());
         return chooseNumber(known, result, rest);
     }
+    HWY_INLINE Number minimum(const Number& p, Uniform c) const {
+        return isBelowAll(p, c) ? p : minimumOfBoth(p, c);
+    }
+    HWY_INLINE Number minimum(Uniform c, const Number& p) const {
+        return isBelowAll(p, c) ? p : minimumOfBoth(c, p);
+    }
     HWY_INLINE Number maximum(const Number& p, const Number& q) const {
         const Number result = negated(lesser(negated(p), negated(q)));
         const Mask known = hn::And(isKnown(p), isKnown(q));
@@ -208,6 +217,12 @@ class AffineAlgebra {
         // a < b ? b : a takes a when a side is undefined.
         const Number rest = chooseNumber(hn::Or(isUndefined(p), isUndefined(q)), p, unknownNumber());
         return chooseNumber(known, result, rest);
+    }
+    HWY_INLINE Number maximum(const Number& p, Uniform c) const {
+        return isAboveAll(p, c) ? p : maximumOfBoth(p, c);
+    }
+    HWY_INLINE Number maximum(Uniform c, const Number& p) const {
+        return isAboveAll(p, c) ? p : maximumOfBoth(c, p);
     }
 
     HWY_INLINE Number less(const Number& p, const Number& q) const { return isBelow(p, q, false); }
@@ -318,6 +333,16 @@ class AffineAlgebra {
         const Number line = lineWithRest(p, constantVector(1), constantVector(low), constantVector(high));
         return keepUnknown(p, chooseNumber(hn::Eq(first, last), exactNumber(first), line));
     }
+
+    /// Whether bounds change nothing in any lane. What is to be done else is kept out of loops over lanes.
+    static HWY_INLINE bool isBelowAll(const Number& p, Uniform c) {
+        return hn::AllTrue(Doubles(), hn::And(isKnown(p), hn::Le(rangeOf(p).high, c.a)));
+    }
+    static HWY_INLINE bool isAboveAll(const Number& p, Uniform c) {
+        return hn::AllTrue(Doubles(), hn::And(isKnown(p), hn::Ge(rangeOf(p).low, c.a)));
+    }
+    HWY_NOINLINE Number minimumOfBoth(Number p, Number q) const { return minimum(p, q); }
+    HWY_NOINLINE Number maximumOfBoth(Number p, Number q) const { return maximum(p, q); }
 
     /// The smaller of two known numbers: one of them where that is certain, else a mean of both with weights
     /// that follow the chord of |p - q|.

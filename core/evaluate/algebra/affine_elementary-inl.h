@@ -57,6 +57,7 @@ HWY_INLINE AffineNumber absoluteOf(const AffineNumber& p) {
     const VectorRange range = rangeOf(p);
     const Mask positive = hn::Ge(range.low, zeroVector()), negative = hn::Le(range.high, zeroVector());
     const AffineNumber sure = chooseNumber(positive, p, negated(p));
+    if (hn::AllTrue(Doubles(), hn::Or(positive, negative))) return sure;
     // Between the chord and its parallel through 0.
     const Vector width = hn::Div(constantVector(1), hn::Sub(range.high, range.low));
     const Vector slope = hn::Mul(hn::Add(range.high, range.low), width);
