@@ -47,6 +47,12 @@ HWY_INLINE void writeFormsOf(const PieceColumns& pieces, const RaySpread* spread
             hn::StoreU(error, d, to + 2 * batchLanes);
         }
     }
+    // Vectors are evaluated whole: an odd number behind the last form would take a function's slow way.
+    const std::size_t whole = (count + hn::Lanes(d) - 1) / hn::Lanes(d) * hn::Lanes(d);
+    for (std::size_t i = count; i < whole; ++i)
+        for (double* const form : forms)
+            for (std::size_t part = 0; part < 3; ++part)
+                form[part * batchLanes + i] = form[part * batchLanes + count - 1];
 }
 
 /// As writeRayPieceForms().

@@ -439,51 +439,86 @@ class AffineAlgebra {
         const Mask positive = hn::Gt(range.low, zeroVector());
         const Mask narrow =
             hn::And(hn::And(positive, hn::Ge(p.a, range.low)), hn::Le(radiusOf(p), half(p.a)));
-        if (HWY_LIKELY(hn::AllTrue(Doubles(), narrow))) return powerAlong(p, range, c, exponent);
-        const Mask touching =
-            hn::AndNot(positive, hn::And(hn::Ge(range.low, zeroVector()), hn::Gt(c, zeroVector())));
+        if (HWY_LIKELY(hn::AllTrue(Doubles(), narrow))) return powerAlong(p, c, exponent);
+        const Mask touching = hn::And(hn::Ge(range.low, zeroVector()), hn::Gt(c, zeroVector()));
+        const Mask usable = hn::Or(positive, touching);
         // Lanes that the other kind of number leaves alone are not worth a function.
         const Number best =
-            hn::AllFalse(Doubles(), positive) ? unknownNumber() : powerOfPositive(p, range, positive, c);
-        Number fromZero = best;
-        if (!hn::AllFalse(Doubles(), touching)) {
-            // From 0 upwards the power is bounded by its value at the far end.
-            const Vector top = HWY_NAMESPACE::power(hn::Max(range.high, zeroVector()), c);
-            fromZero = betweenNumber(zeroVector(), hn::Add(top, relativeError(top)));
-        }
+            hn::AllFalse(Doubles(), usable) ? unknownNumber() : powerBetween(p, range, usable, c);
         const bool whole = std::floor(exponent) == exponent;
         const Mask outside = hn::Lt(range.high, zeroVector());
         const Number below =
             whole ? unknownNumber() : chooseNumber(outside, undefinedNumber(), unknownNumber());
-        return keepUnknown(p, chooseNumber(positive, best, chooseNumber(touching, fromZero, below)));
+        return keepUnknown(p, chooseNumber(usable, best, below));
     }
 
-    /// In the lanes of `positive`; anything in the others.
-    HWY_INLINE Number powerOfPositive(const Number& p, const VectorRange& range, Mask positive,
-                                      Vector c) const {
-        const auto safe = [&](Vector v) HWY_ATTR { return hn::IfThenElse(positive, v, constantVector(1)); };
-        // exp(c ln p), with the logarithm kept away from numbers that are not positive.
-        const Number composed = exponentialOf(scaledBy(logarithmOf(p, domain(0)), c));
-        const Vector first = roughPower(safe(range.low), c), second = roughPower(safe(range.high), c);
-        const Vector low = hn::Min(first, second), high = hn::Max(first, second);
+    /// p^c, in the lanes of `usable`, where the range is not negative; anything in the others. The power is
+    /// bent to one side: between its chord and its tangents at both ends, or its values there.
+    HWY_INLINE Number powerBetween(const Number& p, const VectorRange& range, Mask usable, Vector c) const {
+        const Vector zero = zeroVector(), one = constantVector(1);
+        const Vector low = hn::IfThenElse(usable, range.low, one);
+        const Vector high = hn::IfThenElse(usable, range.high, one);
+        const auto raised = [&](Vector v) HWY_ATTR {
+            const Mask positive = hn::Gt(v, zero);
+            return hn::IfThenElseZero(positive, roughPower(hn::IfThenElse(positive, v, one), c));
+        };
+        const Vector first = raised(low), second = raised(high);
+        // Ten times what the powers are off, for what is made of them.
+        constexpr double inexact = 10 * roughPowerError;
+        const Vector least = hn::Min(first, second), most = hn::Max(first, second);
         const auto error = [](Vector v) HWY_ATTR {
             return hn::MulAdd(v, constantVector(roughPowerError), constantVector(underflow));
         };
-        const Number flat = betweenNumber(hn::Sub(low, error(low)), hn::Add(high, error(high)));
-        return chooseNumber(isKnown(composed), narrower(composed, flat), flat);
+        const Number flat = betweenNumber(hn::Sub(least, error(least)), hn::Add(most, error(most)));
+
+        const Vector width = hn::Sub(high, low);
+        const Vector slope = hn::Div(hn::Sub(second, first), width);
+        const Mask convex = hn::Or(hn::Gt(c, one), hn::Lt(c, zero));
+        // How much steeper or flatter the power is at an end than the chord.
+        const Vector steepnessAt0 = hn::IfThenElse(convex, zero, constantVector(unlimited));
+        const auto turn = [&](Vector end, Vector value) HWY_ATTR {
+            const Vector steepness =
+                hn::IfThenElse(hn::Gt(end, zero), hn::Div(hn::Mul(c, value), end), steepnessAt0);
+            const Vector size = hn::Add(hn::Abs(steepness), hn::Abs(slope));
+            return hn::MulAdd(size, constantVector(inexact), hn::Abs(hn::Sub(steepness, slope)));
+        };
+        const Vector atLow = turn(low, first), atHigh = turn(high, second);
+        const Vector gap = hn::Mul(hn::Div(atHigh, hn::Add(one, hn::Div(atHigh, atLow))), width);
+        const Vector ends[] = {hn::NegMulAdd(slope, low, first), hn::NegMulAdd(slope, high, second)};
+        const Vector size = hn::MulAdd(hn::Abs(slope), high, most);
+        const Vector rounding = hn::MulAdd(size, constantVector(inexact), constantVector(underflow));
+        const Vector below = hn::IfThenElseZero(convex, gap), above = hn::IfThenElse(convex, zero, gap);
+        const Number line =
+            lineWithRest(p, slope, hn::Sub(hn::Min(ends[0], ends[1]), hn::Add(below, rounding)),
+                         hn::Add(hn::Max(ends[0], ends[1]), hn::Add(above, rounding)));
+        return narrower(line, flat);
     }
 
-    /// p^c for numbers that stay on one side of 0, well away from it: f'' = c (c - 1) p^(c - 2).
-    static HWY_INLINE Number powerAlong(const Number& p, const VectorRange& range, Vector c,
-                                        double exponent) {
-        const Vector value = HWY_NAMESPACE::power(p.a, c), slope = hn::Div(hn::Mul(c, value), p.a);
-        const Vector steepest = exponent < 2 ? range.low : range.high;
-        const Vector part = hn::Div(radiusOf(p), steepest);
+    /// p^c for numbers of [a - r, a + r] with r <= a/2: f'' = c (c - 1) p^(c - 2), which is its value at a
+    /// times the power c - 2 of 1 + s with |s| <= t = r/a. This power is at most exp(|c - 2| (t + t^2)).
+    static HWY_INLINE Number powerAlong(const Number& p, Vector c, double exponent) {
+        const Vector inverse = hn::Div(constantVector(1), p.a);
+        const Vector t = hn::Mul(radiusOf(p), inverse), squared = hn::Mul(t, t);
+        const Vector x = hn::Mul(hn::Add(t, squared), constantVector(std::abs(exponent - 2)));
+        const Vector one = constantVector(1);
+        const Mask moderate = hn::Le(x, one);
+        // exp(x) <= 1 + x + x^2 to x = 1.
+        const Vector growth = HWY_LIKELY(hn::AllTrue(Doubles(), moderate))
+                                  ? hn::MulAdd(hn::Add(x, one), x, one)
+                                  : HWY_NAMESPACE::exponential(x);
         const double bend = 0.5 * exponent * (exponent - 1) * (1 + 1e-12 + roughPowerError);
-        const Vector rest =
-            hn::Mul(hn::Mul(roughPower(steepest, c), constantVector(bend)), hn::Mul(part, part));
-        const Vector zero = zeroVector();
-        return developed(p, value, relativeError(value), slope, hn::Min(rest, zero), hn::Max(rest, zero));
+        const Vector bent = hn::Mul(hn::Mul(growth, constantVector(bend)), squared);
+        // Beside so much an exact value would be wasted.
+        const bool rough =
+            hn::AllTrue(Doubles(), hn::Gt(hn::Abs(bent), constantVector(1000 * roughPowerError)));
+        const Vector value = rough ? roughPower(p.a, c) : HWY_NAMESPACE::power(p.a, c);
+        const Vector slope = hn::Mul(hn::Mul(c, value), inverse);
+        // Of the value, and of the slope along the piece.
+        const Vector share = hn::MulAdd(t, constantVector(std::abs(exponent)), one);
+        const Vector error = hn::MulAdd(hn::Mul(value, share), constantVector(rough ? roughPowerError : 0),
+                                        relativeError(value));
+        const Vector rest = hn::Mul(value, bent), zero = zeroVector();
+        return developed(p, value, error, slope, hn::Min(rest, zero), hn::Max(rest, zero));
     }
 
     const double* domains_ = nullptr;
