@@ -12,7 +12,7 @@ LatestWorker::~LatestWorker() = default;
 void LatestWorker::submit(Task task) {
     {
         const std::lock_guard lock(mutex_);
-        waiting_ = std::move(task);
+        waiting_.swap(task);
     }
     wake_.notify_one();
 }
@@ -25,10 +25,12 @@ bool LatestWorker::idle() const {
 void LatestWorker::run(std::stop_token stop) {
     std::unique_lock lock(mutex_);
     while (wake_.wait(lock, stop, [this] { return static_cast<bool>(waiting_); }) && !stop.stop_requested()) {
-        const Task task = std::exchange(waiting_, nullptr);
+        Task task = std::exchange(waiting_, nullptr);
         busy_ = true;
         lock.unlock();
         task(stop);
+        // What it holds, scenes for one, may take long to go, and the lock keeps callers waiting.
+        task = nullptr;
         lock.lock();
         busy_ = false;
     }

@@ -64,16 +64,17 @@ void countVerdicts(std::span<const Verdict> verdicts, TileScratch& work) {
 }
 
 void countCertainties(TileScratch& work, VerdictMap* map) {
-    countVerdicts(work.batch.verdicts, work);
+    const SampleBatch& batch = work.batch;
+    countVerdicts(batch.verdicts, work);
     if (map == nullptr) return;
-    for (std::size_t i = 0; i < work.batch.size(); ++i) {
-        const SampleBatch::PixelPosition& place = work.batch.places[i];
-        const Verdict verdict = work.batch.verdicts[i];
-        map->note(static_cast<int>(place.x), static_cast<int>(place.y), verdict);
-        // Where nothing can be met no hits are looked for: those of an earlier batch are still there.
-        if (verdict == Verdict::certifiedMiss) continue;
-        if (work.batch.hits.found(i) && work.batch.hits.kind(i) == HitKind::container)
-            map->noteWall(static_cast<int>(place.x), static_cast<int>(place.y));
+    for (std::size_t i = 0; i < batch.size(); ++i)
+        map->note(static_cast<int>(batch.places[i].x), static_cast<int>(batch.places[i].y),
+                  batch.verdicts[i]);
+    // Hits belong to rays, of which there are fewer where nothing can be met.
+    for (std::size_t ray = 0; ray < batch.rays.size(); ++ray) {
+        if (!batch.hits.found(ray) || batch.hits.kind(ray) != HitKind::container) continue;
+        const SampleBatch::PixelPosition& place = batch.places[batch.rays.samples()[ray]];
+        map->noteWall(static_cast<int>(place.x), static_cast<int>(place.y));
     }
 }
 

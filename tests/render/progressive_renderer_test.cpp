@@ -2,6 +2,7 @@
 #include "core/render/progressive/progressive_renderer.h"
 
 #include <atomic>
+#include <future>
 #include <map>
 #include <QTest>
 #include <random>
@@ -311,6 +312,41 @@ class ProgressiveRendererTest : public QObject {
             std::jthread opener([&] { shape->allow(-1); });
         }
         QVERIFY(shape->calls < 2000);
+    }
+
+    void aSceneThatTakesLongToGoKeepsNoCallerWaiting() {
+        // Threads that ask while a scene goes; a renderer that keeps them waiting would never answer.
+        std::vector<std::jthread> asking;
+        std::atomic<int> gone = 0, answered = 0;
+        ProgressiveRenderer renderer(1);
+        const auto dearScene = [&] {
+            return std::shared_ptr<const Scene>(new Scene(*litScene()), [&](const Scene* scene) {
+                const auto asked = std::make_shared<std::promise<void>>();
+                asking.emplace_back([&renderer, asked] {
+                    renderer.progress();
+                    asked->set_value();
+                });
+                const auto answer = asked->get_future().wait_for(std::chrono::seconds(2));
+                answered += answer == std::future_status::ready;
+                delete scene;
+                ++gone;
+            });
+        };
+        renderer.request(requestFor(dearScene()));
+        QTRY_COMPARE(gone.load(), 1);
+        const auto shape = std::make_shared<GatedShape>();
+        shape->allow(0);
+        renderer.request(requestFor(gatedScene(shape)));
+        shape->waitForCalls(1);
+        renderer.request(requestFor(dearScene()));
+        renderer.request(requestFor(dearScene()));
+        const int replaced = gone.load();
+        renderer.stop();
+        const int stopped = gone.load();
+        shape->allow(-1);
+        QCOMPARE(replaced, 2);
+        QCOMPARE(stopped, 3);
+        QCOMPARE(answered.load(), 3);
     }
 
     void oddSizes() {

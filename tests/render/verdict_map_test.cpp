@@ -96,6 +96,32 @@ class VerdictMapTest : public QObject {
         }
     }
 
+    void wallsAreNotedWhereTheyAreSeen_data() {
+        QTest::addColumn<QString>("objects");
+        const QString cut = "isosurface { function { x*x + y*y + z*z - 1.2 } contained_by { box { -1, 1 } } ";
+        QTest::newRow("one, beside the middle") << cut + "scale 0.5 translate <1.3, 0.4, 0> }";
+        QTest::newRow("two that are far apart")
+            << cut + "scale 0.45 translate <-1.3, 0.6, 0> } sphere { <1.5, -0.8, 0>, 0.3 pigment { rgb 1 } }";
+    }
+    void wallsAreNotedWhereTheyAreSeen() {
+        QFETCH(QString, objects);
+        const RenderRequest request = requestFor(view + objects.toStdString());
+        renderImage(request, 1);
+        const SceneObject& isosurface = request.scene->objects.front();
+        TraceContext context(request.scene->parameterTable, RootFinder::certified);
+        int walls = 0;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const Ray ray = request.camera.ray((x + 0.5) / width - 0.5, 0.5 - (y + 0.5) / height);
+                NearestHit seen;
+                isosurface.shape->nearest({&ray, 1}, context, {&seen, 1});
+                const bool wall = seen.found && seen.hit.kind == HitKind::container;
+                walls += wall;
+                QVERIFY2(request.verdicts->wall(x, y) == wall, qPrintable(QString("%1, %2").arg(x).arg(y)));
+            }
+        QVERIFY(walls > 20);
+    }
+
     void theProgressivePictureTellsTheSame() {
         const RenderRequest once = requestFor(view + plateau);
         RenderStatistics statistics;

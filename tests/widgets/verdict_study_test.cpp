@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/verdicts/verdict_study.h"
 
+#include <future>
 #include <QtTest>
+#include <thread>
 
 #include "core/language/parse.h"
+#include "widgets/latest_worker.h"
 
 using namespace isoscope;
 
@@ -134,6 +137,39 @@ class VerdictStudyTest : public QObject {
         QVERIFY(!study.busy() && study.verdicts().empty());
         study.setScene(sceneOf("sphere { 0, 1 }"));
         QVERIFY(!study.busy() && study.verdicts().empty());
+    }
+
+    /// Of the worker that other studies run on: scenes that its tasks hold may be large.
+    void whatATaskHoldsKeepsNoCallerWaitingWhileItGoes() {
+        // Threads that ask meanwhile; a worker that keeps them waiting would never answer.
+        std::vector<std::jthread> asking;
+        std::atomic<int> gone = 0, answered = 0;
+        std::promise<void> begun, gate;
+        LatestWorker worker;
+        const auto dearThing = [&] {
+            return std::shared_ptr<void>(nullptr, [&](void*) {
+                const auto asked = std::make_shared<std::promise<void>>();
+                asking.emplace_back([&worker, asked] {
+                    (void)worker.idle();
+                    asked->set_value();
+                });
+                const auto answer = asked->get_future().wait_for(std::chrono::seconds(2));
+                answered += answer == std::future_status::ready;
+                ++gone;
+            });
+        };
+        worker.submit([&, thing = dearThing()](std::stop_token) {
+            begun.set_value();
+            gate.get_future().wait();
+        });
+        begun.get_future().wait();
+        worker.submit([thing = dearThing()](std::stop_token) {});
+        worker.submit([](std::stop_token) {});
+        QCOMPARE(gone.load(), 1);
+        gate.set_value();
+        QTRY_VERIFY(worker.idle());
+        QCOMPARE(gone.load(), 2);
+        QCOMPARE(answered.load(), 2);
     }
 };
 

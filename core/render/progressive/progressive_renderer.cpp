@@ -95,6 +95,7 @@ struct ProgressiveRenderer::Implementation : ProgressiveJob::Listener {
 
 std::uint64_t ProgressiveRenderer::Implementation::request(RenderRequest request, int finestBlock,
                                                            double atOnceSeconds) {
+    std::optional<Order> order;  // outlives the lock, for the scene that it may take away
     const std::lock_guard lock(mutex);
     const std::uint64_t job = progress.job + 1;
     RenderProgress begun;
@@ -103,7 +104,8 @@ std::uint64_t ProgressiveRenderer::Implementation::request(RenderRequest request
     if (Picture::drawable(request))
         begun.passCount = static_cast<int>(BlockPasses(request.width, request.height, finestBlock).count());
     progress = std::move(begun);
-    waiting = Order{job, std::move(request), finestBlock, atOnceSeconds};
+    order = Order{job, std::move(request), finestBlock, atOnceSeconds};
+    waiting.swap(order);
     if (running != 0 && !replaced) {
         replacedAt = Clock::now().time_since_epoch().count();
         replaced = true;
@@ -114,8 +116,9 @@ std::uint64_t ProgressiveRenderer::Implementation::request(RenderRequest request
 }
 
 void ProgressiveRenderer::Implementation::abandon() {
+    std::optional<Order> forgotten;  // outlives the lock
     const std::lock_guard lock(mutex);
-    waiting.reset();
+    forgotten.swap(waiting);
     if (running == 0) {
         progress.finished = true;
     } else {
@@ -127,15 +130,16 @@ void ProgressiveRenderer::Implementation::abandon() {
 void ProgressiveRenderer::Implementation::coordinate(std::stop_token end) {
     std::unique_lock lock(mutex);
     while (wake.wait(lock, end, [this] { return waiting.has_value(); })) {
-        const Order order = std::move(*waiting);
-        waiting.reset();
-        running = order.job;
+        std::optional<Order> order = std::exchange(waiting, std::nullopt);
+        running = order->job;
         replaced = abandoned = false;
         firstPass = true;
         stop = {};
         start = Clock::now();
         lock.unlock();
-        run(order);
+        run(*order);
+        // A scene may take long to go, and the lock keeps callers waiting.
+        order.reset();
         lock.lock();
         if (isNewest()) {
             progress.seconds = secondsSince(start);
