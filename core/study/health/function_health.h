@@ -46,7 +46,7 @@ struct HealthFinding {
 struct FunctionHealth {
     std::vector<HealthFinding> findings;  ///< the worst kinds first, of one kind the nearest to the surface
     double resolution = 0;                ///< of distances, and of what is told apart
-    bool finished = false;  ///< else the budget or time was spent, or findings were left out: there may be more
+    bool finished = false;  ///< else there may be more: budget or time were spent, or findings left out
     bool known = false;     ///< false after a stop, and for containers that are not finite
 };
 
