@@ -76,7 +76,8 @@ ExitStatus compare(const CompareArguments& arguments) {
     PovrayPicture povray;
     {
         ProgressLine progress("POV-Ray draws");
-        povray = drawWithPovray(orderOf(arguments), limit.token(), [&](double share) { progress.show(share); });
+        povray =
+            drawWithPovray(orderOf(arguments), limit.token(), [&](double share) { progress.show(share); });
     }
     if (povray.stopped) {
         arguments.work.error(arguments.scene.file, "POV-Ray has not drawn its picture");
@@ -90,9 +91,9 @@ ExitStatus compare(const CompareArguments& arguments) {
         std::any_of(parsed.diagnostics.begin(), parsed.diagnostics.end(),
                     [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::leftOut; });
     ProgressLine progress("comparing");
-    const PovrayComparison comparison =
-        compareWithPovray(pictureOf(parsed, arguments.width, arguments.height, "certified"), povray.image,
-                          leavesOut, arguments.threads, limit.token(), [&](double share) { progress.show(share); });
+    const PovrayComparison comparison = compareWithPovray(
+        pictureOf(parsed, arguments.width, arguments.height, "certified"), povray.image, leavesOut,
+        arguments.threads, limit.token(), [&](double share) { progress.show(share); });
     if (limit.over()) {
         arguments.work.error(arguments.scene.file, "the pictures are not compared");
         return inputHasErrors;

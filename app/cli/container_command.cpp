@@ -50,16 +50,16 @@ ExitStatus fitContainers(const ContainerArguments& arguments) {
         const SceneIsosurface& isosurface = parsed.scene->isosurfaces[i];
         const SourceText& text = (*parsed.sources)[isosurface.range.file];
         const Container& container = isosurface.shape->settings().container;
-        const ContainerFit fit = fitContainer(isosurface.shape, *parsed.scene->parameterTable,
-                                              containerReach, limit.token());
+        const ContainerFit fit =
+            fitContainer(isosurface.shape, *parsed.scene->parameterTable, containerReach, limit.token());
         std::vector<std::string> row{std::to_string(text.position(isosurface.range.begin).line),
                                      containerText(container)};
         if (const std::optional<Container> best = fit.best()) {
             RenderRequest fitted = view;
             fitted.scene = sceneWithContainer(*view.scene, *isosurface.shape, *best);
             row.insert(row.end(),
-                       {containerText(*best), shortestNumber(volumeOf(*best) / volumeOf(container)),
-                        present, povraySecondsOf(fitted, limit.token())});
+                       {containerText(*best), shortestNumber(volumeOf(*best) / volumeOf(container)), present,
+                        povraySecondsOf(fitted, limit.token())});
             if (auto change = containerChange(*parsed.scene, *parsed.sources, i, *best))
                 changes.push_back(std::move(*change));
         } else {

@@ -58,7 +58,8 @@ ExitStatus exportAnimation(const ExportArguments& arguments) {
 std::string noteOf(const ParseResult& parsed, std::size_t isosurface, const std::stop_token& stop) {
     const Isosurface& surface = *parsed.scene->isosurfaces[isosurface].shape;
     GradientStudy study(surface.prepared(*parsed.scene->parameterTable), surface.settings().container);
-    return proofNote(study.run(stop), surface.rootSettings().accuracy, parsed.scene->camera, ISOSCOPE_VERSION);
+    return proofNote(study.run(stop), surface.rootSettings().accuracy, parsed.scene->camera,
+                     ISOSCOPE_VERSION);
 }
 
 ExitStatus exportFile(const ExportArguments& arguments) {
@@ -110,7 +111,8 @@ ExitStatus exportFile(const ExportArguments& arguments) {
                 std::cerr << arguments.scene.file << ": error: " << block.problem << '\n';
                 return inputHasErrors;
             }
-            exported += arguments.note ? withNote(block.text, noteOf(parsed, i, limit.token()), parsed) : block.text;
+            exported +=
+                arguments.note ? withNote(block.text, noteOf(parsed, i, limit.token()), parsed) : block.text;
         }
         if (arguments.note && limit.over())
             arguments.work.note(arguments.scene.file, "the comments say what is proven so far");

@@ -118,8 +118,8 @@ ExitStatus mesh(const MeshArguments& arguments) {
     SceneMesh made;
     {
         ProgressLine progress(arguments.scene.file);
-        made = meshScene(*parsed.scene, surfaces, settings, [&](double done) { progress.show(done); },
-                         limit.token());
+        made = meshScene(
+            *parsed.scene, surfaces, settings, [&](double done) { progress.show(done); }, limit.token());
     }
     if (limit.over()) {
         arguments.work.error(arguments.scene.file, "there is no mesh; a larger --tolerance may do");

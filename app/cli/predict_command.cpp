@@ -68,8 +68,7 @@ ExitStatus predict(const PredictArguments& arguments) {
         limit.restart();  // the picture takes what it takes
     }
     std::cout << csvLine(fields) << std::flush;
-    const PovrayCounts counts =
-        countForPovray(request, std::min(request.width, countedWidth), limit.token());
+    const PovrayCounts counts = countForPovray(request, std::min(request.width, countedWidth), limit.token());
     if (!counts.complete) {
         arguments.work.error(arguments.scene.file, "POV-Ray's time is not known");
         return inputHasErrors;

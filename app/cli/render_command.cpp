@@ -214,8 +214,7 @@ ExitStatus render(const RenderArguments& arguments) {
     const RenderRequest request = requestOf(arguments, parsed);
     const std::optional<PictureFileResult> drawn = drawPicture(arguments, request, parsed);
     if (!drawn) return inputHasErrors;
-    if (!arguments.holeMap.empty() && !writeHoleMap(arguments, request))
-        return inputHasErrors;
+    if (!arguments.holeMap.empty() && !writeHoleMap(arguments, request)) return inputHasErrors;
     std::optional<CostMap> cost;
     if (!arguments.costMap.empty()) {
         cost = writeCostMap(arguments, request);

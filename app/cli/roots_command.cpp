@@ -224,8 +224,7 @@ ExitStatus listRoots(const RootsArguments& arguments) {
             continue;
         }
         recorder.clear();
-        const RowAnswer answer =
-            findRoots(task, field, solver, proves ? &recorder : nullptr, limit.token());
+        const RowAnswer answer = findRoots(task, field, solver, proves ? &recorder : nullptr, limit.token());
         if (limit.over()) {
             arguments.work.error(row.place(), "there is no answer");
             std::cout << csvLine({id, "error", "", "", "0"});

@@ -74,11 +74,12 @@ ExitStatus tellHealth(const HealthArguments& arguments) {
         const std::string line =
             std::to_string((*parsed.sources)[isosurface.range.file].position(isosurface.range.begin).line);
         ProgressLine progress(file + ":" + line);
-        const FunctionHealth health = functionHealth(*isosurface.shape, *parsed.scene->parameterTable,
-                                                     settings, [&](double done) { progress.show(done); },
-                                                     limit.token(), search.token());
+        const FunctionHealth health = functionHealth(
+            *isosurface.shape, *parsed.scene->parameterTable, settings,
+            [&](double done) { progress.show(done); }, limit.token(), search.token());
         if (limit.over()) {
-            arguments.work.error(file + ":" + line, "nothing is known of this function, and of any behind it");
+            arguments.work.error(file + ":" + line,
+                                 "nothing is known of this function, and of any behind it");
             status = inputHasErrors;
             break;
         }

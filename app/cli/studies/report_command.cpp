@@ -67,8 +67,9 @@ ExitStatus reportShapes(const ReportArguments& arguments) {
         ShapeReport report;
         {
             ProgressLine progress(file + ":" + std::to_string(line));
-            report = shapeReport(isosurface.shape, *parsed.scene->parameterTable, arguments.cells,
-                                 [&](double done) { progress.show(done); }, limit.token());
+            report = shapeReport(
+                isosurface.shape, *parsed.scene->parameterTable, arguments.cells,
+                [&](double done) { progress.show(done); }, limit.token());
         }
         if (limit.over() && !report.known) {
             arguments.work.error(file + ":" + std::to_string(line),

@@ -69,7 +69,8 @@ ExitStatus drawSheet(const SheetArguments& arguments) {
         progress.show((static_cast<double>(i) + 1) / static_cast<double>(pictures.cells().size()));
     }
     if (limit.over()) arguments.work.error(arguments.scene.file, "pictures are missing from the sheet");
-    return writeOutput(arguments.output, encodePng(pictures.sheet().image(), 0)) && parsed.ok() && !limit.over()
+    return writeOutput(arguments.output, encodePng(pictures.sheet().image(), 0)) && parsed.ok() &&
+                   !limit.over()
                ? done
                : inputHasErrors;
 }
