@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/log_chart.h"
 #include "app/cli/output_files.h"
+#include "app/cli/time_limit.h"
 #include "core/exchange/png.h"
 #include "core/study/accuracy/accuracy_plan.h"
 #include "core/study/accuracy/accuracy_table.h"
@@ -28,6 +29,7 @@ struct AccuracyArguments {
     bool maxGradient = false;
     bool knee = false;
     std::string plot;
+    WorkLimit work{WorkLimit::ofPictures};
     OutputFiles outputs;
 };
 
@@ -44,7 +46,9 @@ bool writeChart(const std::string& file, std::vector<AccuracyPoint> points) {
 }
 
 /// The knee for each isosurface, and what POV-Ray will need for the whole picture, with the counts behind it.
-void printKnees(RenderRequest view, const AccuracyArguments& arguments, StudiedSetting setting) {
+/// Fewer lines after a stop.
+void printKnees(RenderRequest view, const AccuracyArguments& arguments, StudiedSetting setting,
+                const std::stop_token& stop) {
     std::cout << csvLine({"line",
                           setting == StudiedSetting::accuracy ? "accuracy" : "max_gradient",
                           "knee",
@@ -78,8 +82,9 @@ void printKnees(RenderRequest view, const AccuracyArguments& arguments, StudiedS
                      to = arguments.to > 0 ? arguments.to : std::max(usual.high, 2 * present);
         CostSurvey survey({view, i, setting, surveyValues(std::min(from, to), std::max(from, to))});
         std::uint64_t lost = 0;
-        while (const std::optional<CostPoint> point = survey.next())
+        while (const std::optional<CostPoint> point = survey.next(stop))
             if (point->setting >= present) lost = point->lost[0];
+        if (stop.stop_requested()) return;
         const PovrayCounts& counts = survey.povray();
         const double pixels = static_cast<double>(view.width) * view.height;
         const double counted = std::max<double>(1, static_cast<double>(counts.pixels));
@@ -115,11 +120,16 @@ ExitStatus studyAccuracy(const AccuracyArguments& arguments) {
     request.view.height = arguments.height;
     request.setting = arguments.maxGradient ? StudiedSetting::maxGradient : StudiedSetting::accuracy;
     request.runs = arguments.runs;
+    const TimeLimit limit(arguments.work.seconds);
+    const auto finish = [&] {
+        if (limit.over()) arguments.work.error(arguments.scene.file, "what is left is not studied");
+        return parsed.ok() && !limit.over() ? done : inputHasErrors;
+    };
     if (arguments.knee) {
-        printKnees(request.view, arguments, request.setting);
-        return parsed.ok() ? done : inputHasErrors;
+        printKnees(request.view, arguments, request.setting, limit.token());
+        return finish();
     }
-    const SettingRange usual = studiedRange(*parsed.scene, request.setting);
+    const SettingRange usual = studiedRange(*parsed.scene, request.setting, limit.token());
     const double from = arguments.from > 0 ? arguments.from : usual.from,
                  to = arguments.to > 0 ? arguments.to : usual.to;
     request.values = studyValues(from, to, arguments.count);
@@ -127,12 +137,12 @@ ExitStatus studyAccuracy(const AccuracyArguments& arguments) {
     std::cout << accuracyTableHeader(request.setting);
     AccuracyStudy study(std::move(request));
     std::vector<AccuracyPoint> points;
-    while (const std::optional<AccuracyPoint> point = study.next()) {
+    while (const std::optional<AccuracyPoint> point = study.next(limit.token())) {
         points.push_back(*point);
         std::cout << accuracyTableLine(*point) << std::flush;
     }
     if (!arguments.plot.empty() && !writeChart(arguments.plot, points)) return inputHasErrors;
-    return parsed.ok() ? done : inputHasErrors;
+    return finish();
 }
 
 }  // namespace
@@ -154,6 +164,7 @@ void addAccuracyCommand(CommandLine& line) {
                  "Instead: the value behind which finer ones change no pixel, and POV-Ray's time");
     command.option("-W,--width", arguments->width, "Width in pixels").within(1, largestSide).showDefault();
     command.option("-H,--height", arguments->height, "Height in pixels").within(1, largestSide).showDefault();
+    arguments->work.addTo(command);
     command.option("--plot", arguments->plot, "OUT.png: seconds over the value, logarithmic");
     arguments->outputs.addTo(command);
     command.run([=] { return studyAccuracy(*arguments); });

@@ -21,8 +21,7 @@ struct SceneArguments {
     int finalFrame = -1;
     std::optional<double> clock;
     std::vector<std::string> readableFolders;  ///< that a scene may read besides its own and the library
-    /// Seconds that the text may be read for.
-    double timeLimit = ParseOptions().secondsBudget;
+    double timeLimit = 20;                     ///< seconds that the text may be read for
 
     /// Who says which frame and clock it is.
     enum class Moment { byOptions, ofCommand };

@@ -9,6 +9,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/output_files.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/time_limit.h"
 #include "core/exchange/png.h"
 #include "core/exchange/povray_process.h"
 #include "core/study/view/povray_comparison.h"
@@ -25,6 +26,7 @@ struct CompareArguments {
     int width = 320;
     int height = 240;
     int threads = 0;
+    WorkLimit work{WorkLimit::ofPictures};
     OutputFiles outputs;
 };
 
@@ -70,10 +72,16 @@ ExitStatus compare(const CompareArguments& arguments) {
         std::cerr << arguments.scene.file << ": error: " << reason << "; it is not given to POV-Ray\n";
         return inputHasErrors;
     }
+    const TimeLimit limit(arguments.work.seconds);
     PovrayPicture povray;
     {
         ProgressLine progress("POV-Ray draws");
-        povray = drawWithPovray(orderOf(arguments), {}, [&](double share) { progress.show(share); });
+        povray =
+            drawWithPovray(orderOf(arguments), limit.token(), [&](double share) { progress.show(share); });
+    }
+    if (povray.stopped) {
+        arguments.work.error(arguments.scene.file, "POV-Ray has not drawn its picture");
+        return inputHasErrors;
     }
     if (povray.image.pixels.empty()) {
         std::cerr << arguments.scene.file << ": error: " << povray.problem << '\n';
@@ -83,9 +91,13 @@ ExitStatus compare(const CompareArguments& arguments) {
         std::any_of(parsed.diagnostics.begin(), parsed.diagnostics.end(),
                     [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::leftOut; });
     ProgressLine progress("comparing");
-    const PovrayComparison comparison =
-        compareWithPovray(pictureOf(parsed, arguments.width, arguments.height, "certified"), povray.image,
-                          leavesOut, arguments.threads, {}, [&](double share) { progress.show(share); });
+    const PovrayComparison comparison = compareWithPovray(
+        pictureOf(parsed, arguments.width, arguments.height, "certified"), povray.image, leavesOut,
+        arguments.threads, limit.token(), [&](double share) { progress.show(share); });
+    if (limit.over()) {
+        arguments.work.error(arguments.scene.file, "the pictures are not compared");
+        return inputHasErrors;
+    }
     if (!comparison.complete) {
         std::cerr << arguments.scene.file << ": error: the pictures cannot be compared\n";
         return inputHasErrors;
@@ -111,6 +123,7 @@ void addCompareCommand(CommandLine& line) {
     command.option("-W,--width", arguments->width, "Width in pixels").within(1, largestSide).showDefault();
     command.option("-H,--height", arguments->height, "Height in pixels").within(1, largestSide).showDefault();
     command.option("--threads", arguments->threads, "Number of threads; 0 means all cores").within(0, 1024);
+    arguments->work.addTo(command);
     arguments->outputs.addTo(command);
     command.run([=] { return compare(*arguments); });
 }

@@ -5,6 +5,7 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/output_files.h"
+#include "app/cli/time_limit.h"
 #include "core/study/accuracy/povray_time.h"
 #include "core/study/view/container_fit.h"
 #include "core/text/csv_table.h"
@@ -19,12 +20,15 @@ struct ContainerArguments {
     int width = 320;
     int height = 240;
     std::string changedScene;
+    WorkLimit work;
     OutputFiles outputs;
 };
 
-double povraySecondsOf(const RenderRequest& view) {
-    return povraySeconds(countForPovray(view, std::min(view.width, 160)),
-                         static_cast<double>(view.width) * view.height);
+/// As a cell of the table; empty after a stop.
+std::string povraySecondsOf(const RenderRequest& view, const std::stop_token& stop) {
+    const PovrayCounts counts = countForPovray(view, std::min(view.width, 160), stop);
+    if (!counts.complete) return {};
+    return shortestNumber(povraySeconds(counts, static_cast<double>(view.width) * view.height));
 }
 
 ExitStatus fitContainers(const ContainerArguments& arguments) {
@@ -37,7 +41,8 @@ ExitStatus fitContainers(const ContainerArguments& arguments) {
         return inputHasErrors;
     }
     const RenderRequest view = pictureOf(parsed, arguments.width, arguments.height, "lipschitz");
-    const double present = povraySecondsOf(view);
+    const TimeLimit limit(arguments.work.seconds);
+    const std::string present = povraySecondsOf(view, limit.token());
     std::vector<TextChange> changes;
     std::cout << csvLine(
         {"line", "container", "fitted", "volume_share", "povray_seconds", "fitted_povray_seconds"});
@@ -45,23 +50,24 @@ ExitStatus fitContainers(const ContainerArguments& arguments) {
         const SceneIsosurface& isosurface = parsed.scene->isosurfaces[i];
         const SourceText& text = (*parsed.sources)[isosurface.range.file];
         const Container& container = isosurface.shape->settings().container;
-        const ContainerFit fit = fitContainer(isosurface.shape, *parsed.scene->parameterTable);
+        const ContainerFit fit =
+            fitContainer(isosurface.shape, *parsed.scene->parameterTable, containerReach, limit.token());
         std::vector<std::string> row{std::to_string(text.position(isosurface.range.begin).line),
                                      containerText(container)};
         if (const std::optional<Container> best = fit.best()) {
             RenderRequest fitted = view;
             fitted.scene = sceneWithContainer(*view.scene, *isosurface.shape, *best);
-            const double seconds = povraySecondsOf(fitted);
             row.insert(row.end(),
-                       {containerText(*best), shortestNumber(volumeOf(*best) / volumeOf(container)),
-                        shortestNumber(present), shortestNumber(seconds)});
+                       {containerText(*best), shortestNumber(volumeOf(*best) / volumeOf(container)), present,
+                        povraySecondsOf(fitted, limit.token())});
             if (auto change = containerChange(*parsed.scene, *parsed.sources, i, *best))
                 changes.push_back(std::move(*change));
         } else {
-            row.insert(row.end(), {fit.empty ? "empty" : "", "", shortestNumber(present), ""});
+            row.insert(row.end(), {fit.empty ? "empty" : "", "", present, ""});
         }
         std::cout << csvLine(row) << std::flush;
     }
+    if (limit.over()) arguments.work.note(arguments.scene.file, "there may be smaller containers");
     if (arguments.changedScene.empty()) return parsed.ok() ? done : inputHasErrors;
     const std::string text((*parsed.sources)[0].text());
     return writeOutput(arguments.changedScene, changedText(text, std::move(changes))) && parsed.ok()
@@ -81,6 +87,7 @@ void addContainerCommand(CommandLine& line) {
         .within(1, largestSide)
         .showDefault();
     command.option("-H,--height", arguments->height, "Height in pixels").within(1, largestSide).showDefault();
+    arguments->work.addTo(command);
     command.option("--write", arguments->changedScene, "OUT.pov: the scene with these containers");
     arguments->outputs.addTo(command);
     command.run([=] { return fitContainers(*arguments); });

@@ -9,10 +9,12 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/table_row.h"
+#include "app/cli/time_limit.h"
 #include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/reference_evaluator.h"
+#include "core/evaluate/tape/loop_stop.h"
 #include "core/text/number_format.h"
 
 namespace isoscope::cli {
@@ -84,8 +86,9 @@ bool checkCells(TableRow& row, const ParsedFunction& parsed) {
     return row.ok();
 }
 
-ParsedFunction parseRow(const CsvTable& table, std::size_t row, int generator) {
+ParsedFunction parseRow(const CsvTable& table, std::size_t row, int generator, const std::stop_token& stop) {
     ParseOptions options;
+    options.stop = stop;
     // There is no picture: the smallest one stands in for it.
     options.restrictedReading = true;
     options.imageWidth = options.imageHeight = 1;
@@ -103,7 +106,12 @@ std::string firstError(const ParsedFunction& parsed) {
     return parsed.diagnostics.empty() ? "the expression gives no number" : parsed.diagnostics.front().message;
 }
 
-std::vector<double> evaluateRows(const FunctionRows& group, const CsvTable& table, bool reference) {
+/// Rows that are evaluated between two looks at the clock.
+constexpr std::size_t slice = 64;
+
+/// Fewer values than rows where the time is over.
+std::vector<double> evaluateRows(const FunctionRows& group, const CsvTable& table, bool reference,
+                                 TimeLimit& limit) {
     const std::size_t count = group.rows.size();
     std::vector<std::vector<double>> arguments(3, std::vector<double>(count));
     for (std::size_t i = 0; i < count; ++i) {
@@ -114,19 +122,26 @@ std::vector<double> evaluateRows(const FunctionRows& group, const CsvTable& tabl
     const Function& function = group.parsed.value.function;
     arguments.resize(std::max<std::size_t>(3, function.argumentCount), std::vector<double>(count, 0.0));
     std::vector<double> values(count);
-    if (reference) {
-        ReferenceEvaluator evaluator(function);
-        std::vector<double> point(arguments.size());
-        for (std::size_t i = 0; i < count; ++i) {
+    ReferenceEvaluator exact(function);
+    PointEvaluator batch(Tape::compile(function), group.parsed.parameterTable);
+    std::vector<double> point(arguments.size());
+    std::vector<const double*> pointers(arguments.size());
+    for (std::size_t first = 0; first < count; first += slice) {
+        limit.restart();
+        const LoopStop loops(limit.token());
+        const std::size_t end = std::min(count, first + slice);
+        for (std::size_t i = first; reference && i < end; ++i) {
             for (std::size_t k = 0; k < point.size(); ++k) point[k] = arguments[k][i];
-            values[i] = evaluator.evaluate(point, group.parsed.parameterTable);
+            values[i] = exact.evaluate(point, group.parsed.parameterTable);
         }
-        return values;
+        if (!reference) {
+            for (std::size_t k = 0; k < point.size(); ++k) pointers[k] = arguments[k].data() + first;
+            batch.evaluate(pointers, end - first, std::span(values).subspan(first, end - first));
+        }
+        if (!limit.over()) continue;
+        values.resize(first);
+        break;
     }
-    PointEvaluator evaluator(Tape::compile(function), group.parsed.parameterTable);
-    std::vector<const double*> pointers;
-    for (const auto& column : arguments) pointers.push_back(column.data());
-    evaluator.evaluate(pointers, count, values);
     return values;
 }
 
@@ -173,33 +188,37 @@ Bounds affineBounds(AffineEvaluator& evaluator, const RowBox& box) {
             std::nextafter(center + reach, Interval::infinite)};
 }
 
-std::vector<Bounds> encloseRows(const FunctionRows& group, const CsvTable& table, bool affine) {
+/// Fewer bounds than rows where the time is over.
+std::vector<Bounds> encloseRows(const FunctionRows& group, const CsvTable& table, bool affine,
+                                TimeLimit& limit) {
     const auto tape = Tape::compile(group.parsed.value.function);
     const auto& parameters = group.parsed.parameterTable;
     std::vector<Bounds> bounds;
-    if (affine) {
-        AffineEvaluator evaluator(tape, parameters);
-        for (const std::size_t row : group.rows)
-            bounds.push_back(affineBounds(evaluator, RowBox(table, row)));
-    } else {
-        IntervalEvaluator evaluator(tape, parameters);
-        for (const std::size_t row : group.rows)
-            bounds.push_back(intervalBounds(evaluator, RowBox(table, row)));
+    AffineEvaluator forms(tape, parameters);
+    IntervalEvaluator intervals(tape, parameters);
+    for (const std::size_t row : group.rows) {
+        limit.restart();
+        const LoopStop loops(limit.token());
+        const RowBox box(table, row);
+        const Bounds found = affine ? affineBounds(forms, box) : intervalBounds(intervals, box);
+        if (limit.over()) break;
+        bounds.push_back(found);
     }
     return bounds;
 }
 
 using Answers = std::vector<std::string>;
 
-/// The new columns of the rows of a group, without the errors: `value`, or for enclosures `lower,upper`.
+/// The new columns of the rows of a group, without the errors: `value`, or for enclosures `lower,upper`. Of
+/// fewer rows where the time is over.
 std::vector<Answers> answers(const FunctionRows& group, const CsvTable& table,
-                             const std::string& evaluatorName) {
+                             const std::string& evaluatorName, TimeLimit& limit) {
     std::vector<Answers> found;
     if (evaluatorName == "interval" || evaluatorName == "affine") {
-        for (const auto& [lower, upper] : encloseRows(group, table, evaluatorName == "affine"))
+        for (const auto& [lower, upper] : encloseRows(group, table, evaluatorName == "affine", limit))
             found.push_back({exactNumber(lower), exactNumber(upper)});
     } else {
-        for (const double value : evaluateRows(group, table, evaluatorName == "reference"))
+        for (const double value : evaluateRows(group, table, evaluatorName == "reference", limit))
             found.push_back({exactNumber(value)});
     }
     return found;
@@ -210,7 +229,7 @@ std::vector<std::string> answerColumns(const std::string& evaluatorName) {
     return {"value"};
 }
 
-ExitStatus evaluateTable(const std::string& file, const std::string& evaluatorName) {
+ExitStatus evaluateTable(const std::string& file, const std::string& evaluatorName, const WorkLimit& work) {
     const std::optional<CsvTable> table = loadTable(file, {"expression", "x", "y", "z"});
     if (!table) return inputHasErrors;
 
@@ -218,13 +237,16 @@ ExitStatus evaluateTable(const std::string& file, const std::string& evaluatorNa
     std::map<std::vector<std::string>, FunctionRows> groups;
     std::vector<std::string> errors(table->rowCount());
     ExitStatus status = done;
+    TimeLimit limit(work.seconds);
     for (std::size_t number = 0; number < table->rowCount(); ++number) {
         TableRow row(file, *table, number);
         const std::vector<std::string> key{row.text("expression"), row.text("prelude"),
                                            row.text("noise_generator")};
         auto [group, isNew] = groups.try_emplace(key);
         const int generator = noiseGenerator(row);
-        if (isNew) group->second.parsed = parseRow(*table, number, generator);
+        limit.restart();
+        if (isNew) group->second.parsed = parseRow(*table, number, generator, limit.token());
+        if (isNew && limit.over()) work.error(row.place(), "the function is not read");
         if (checkCells(row, group->second.parsed)) {
             group->second.rows.push_back(number);
         } else {
@@ -240,8 +262,14 @@ ExitStatus evaluateTable(const std::string& file, const std::string& evaluatorNa
             for (const std::size_t row : group.rows) errors[row] = firstError(group.parsed);
             continue;
         }
-        const std::vector<Answers> found = answers(group, *table, evaluatorName);
-        for (std::size_t i = 0; i < group.rows.size(); ++i) values[group.rows[i]] = found[i];
+        const std::vector<Answers> found = answers(group, *table, evaluatorName, limit);
+        for (std::size_t i = 0; i < found.size(); ++i) values[group.rows[i]] = found[i];
+        if (found.size() == group.rows.size()) continue;
+        work.error(TableRow(file, *table, group.rows[found.size()]).place(),
+                   "there is no answer, nor to any row behind it with this function");
+        for (std::size_t i = found.size(); i < group.rows.size(); ++i)
+            errors[group.rows[i]] = "the time is over";
+        status = inputHasErrors;
     }
 
     std::vector<std::string> header = table->header();
@@ -271,7 +299,9 @@ void addEvaluateCommand(CommandLine& line) {
     command.option("--evaluator", *evaluator, "Which evaluator answers")
         .oneOf({"reference", "batch", "interval", "affine"})
         .showDefault();
-    command.run([=] { return evaluateTable(*table, *evaluator); });
+    auto work = std::make_shared<WorkLimit>();
+    work->addTo(command, "Seconds to work on each row, or on 64 that share a function");
+    command.run([=] { return evaluateTable(*table, *evaluator, *work); });
 }
 
 }  // namespace isoscope::cli

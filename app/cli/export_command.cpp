@@ -4,6 +4,7 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/output_files.h"
+#include "app/cli/time_limit.h"
 #include "core/animation/animation.h"
 #include "core/animation/animation_export.h"
 #include "core/exchange/isosurface_export.h"
@@ -24,6 +25,7 @@ struct ExportArguments {
     int height = 600;
     bool animation = false;
     bool note = false;
+    WorkLimit work;
     OutputFiles outputs;
 };
 
@@ -52,11 +54,12 @@ ExitStatus exportAnimation(const ExportArguments& arguments) {
     return written ? done : inputHasErrors;
 }
 
-/// What is proven of an isosurface, as a comment.
-std::string noteOf(const ParseResult& parsed, std::size_t isosurface) {
+/// What is proven of an isosurface until the stop, as a comment.
+std::string noteOf(const ParseResult& parsed, std::size_t isosurface, const std::stop_token& stop) {
     const Isosurface& surface = *parsed.scene->isosurfaces[isosurface].shape;
     GradientStudy study(surface.prepared(*parsed.scene->parameterTable), surface.settings().container);
-    return proofNote(study.run(), surface.rootSettings().accuracy, parsed.scene->camera, ISOSCOPE_VERSION);
+    return proofNote(study.run(stop), surface.rootSettings().accuracy, parsed.scene->camera,
+                     ISOSCOPE_VERSION);
 }
 
 ExitStatus exportFile(const ExportArguments& arguments) {
@@ -101,14 +104,18 @@ ExitStatus exportFile(const ExportArguments& arguments) {
     } else if (extension == ".vl") {
         exported = parsed.notation == Notation::virtualight ? text : virtualightText(scene);
     } else {
+        const TimeLimit limit(arguments.work.seconds);
         for (std::size_t i = 0; i < scene.isosurfaces.size(); ++i) {
             const IsosurfaceExport block = exportIsosurface(parsed, i);
             if (!block.problem.empty()) {
                 std::cerr << arguments.scene.file << ": error: " << block.problem << '\n';
                 return inputHasErrors;
             }
-            exported += arguments.note ? withNote(block.text, noteOf(parsed, i), parsed) : block.text;
+            exported +=
+                arguments.note ? withNote(block.text, noteOf(parsed, i, limit.token()), parsed) : block.text;
         }
+        if (arguments.note && limit.over())
+            arguments.work.note(arguments.scene.file, "the comments say what is proven so far");
         if (exported.empty()) {
             std::cerr << arguments.scene.file << ": error: there is no isosurface to export\n";
             return inputHasErrors;
@@ -135,6 +142,7 @@ void addExportCommand(CommandLine& line) {
     command.flag(
         "--note", arguments->note,
         "OUT.inc: a comment in front of each isosurface with proven bound, method, view and version");
+    arguments->work.addTo(command, "Seconds to prove what --note tells");
     arguments->outputs.addTo(command);
     command.run([=] { return exportFile(*arguments); });
 }

@@ -4,6 +4,8 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/table_row.h"
+#include "app/cli/time_limit.h"
+#include "core/evaluate/tape/loop_stop.h"
 
 namespace isoscope::cli {
 
@@ -13,6 +15,7 @@ struct InsideArguments {
     SceneArguments scene;
     std::string points;
     std::string object;
+    WorkLimit work;
 };
 
 ExitStatus testPoints(const InsideArguments& arguments) {
@@ -26,12 +29,19 @@ ExitStatus testPoints(const InsideArguments& arguments) {
     TraceContext context(parsed.scene->parameterTable, RootFinder::lipschitz);
     std::cout << csvLine({"inside"});
     ExitStatus status = parsed.ok() ? done : inputHasErrors;
+    TimeLimit limit(arguments.work.seconds);
     for (std::size_t number = 0; number < table->rowCount(); ++number) {
         TableRow row(arguments.points, *table, number);
         const glm::dvec3 point = row.point("x", "y", "z");
         if (row.ok()) {
-            std::cout << csvLine({shape->contains(point, context) ? "1" : "0"});
-            continue;
+            limit.restart();
+            const LoopStop loops(limit.token());
+            const bool inside = shape->contains(point, context);
+            if (!limit.over()) {
+                std::cout << csvLine({inside ? "1" : "0"});
+                continue;
+            }
+            arguments.work.error(row.place(), "there is no answer");
         }
         std::cout << csvLine({"error"});
         status = inputHasErrors;
@@ -47,6 +57,7 @@ void addInsideCommand(CommandLine& line) {
     arguments->scene.addTo(command);
     command.option("--points", arguments->points, "CSV with x,y,z").required();
     command.option("--object", arguments->object, "Declared object to test (default: the whole scene)");
+    arguments->work.addTo(command, "Seconds to work on each row");
     command.run([=] { return testPoints(*arguments); });
 }
 

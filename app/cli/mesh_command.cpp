@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/output_files.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/time_limit.h"
 #include "core/mesh/files/mesh_file.h"
 #include "core/mesh/mesh_text.h"
 #include "core/mesh/scene_mesh.h"
@@ -24,6 +26,7 @@ struct MeshArguments {
     bool plain = false;
     bool json = false;
     SceneMeshSettings settings;
+    WorkLimit work{std::numeric_limits<double>::infinity()};
     OutputFiles outputs;
 };
 
@@ -111,10 +114,16 @@ ExitStatus mesh(const MeshArguments& arguments) {
     if (surfaces.empty()) return inputHasErrors;
     SceneMeshSettings settings = arguments.settings;
     settings.colors = !arguments.plain;
+    const TimeLimit limit(arguments.work.seconds);
     SceneMesh made;
     {
         ProgressLine progress(arguments.scene.file);
-        made = meshScene(*parsed.scene, surfaces, settings, [&](double done) { progress.show(done); });
+        made = meshScene(
+            *parsed.scene, surfaces, settings, [&](double done) { progress.show(done); }, limit.token());
+    }
+    if (limit.over()) {
+        arguments.work.error(arguments.scene.file, "there is no mesh; a larger --tolerance may do");
+        return inputHasErrors;
     }
     if (!made.problem.empty()) {
         std::cerr << arguments.scene.file << ": error: " << made.problem << '\n';
@@ -153,6 +162,8 @@ void addMeshCommand(CommandLine& line) {
     command.flag("--plain", arguments->plain, "Without the colours of textures");
     command.option("--threads", arguments->settings.threads, "0: all").within(0, 256).showDefault();
     command.flag("--json", arguments->json, "A JSON object instead of sentences");
+    command.option("--work-limit", arguments->work.seconds, "Seconds to work on the meshes (default: any)")
+        .positive();
     arguments->outputs.addTo(command);
     command.run([=] { return mesh(*arguments); });
 }

@@ -6,6 +6,7 @@
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
+#include "app/cli/time_limit.h"
 #include "core/render/render_image.h"
 #include "core/study/accuracy/picture_time.h"
 #include "core/study/accuracy/povray_time.h"
@@ -24,6 +25,7 @@ struct PredictArguments {
     int threads = 0;
     bool antialias = false;
     bool check = false;
+    WorkLimit work;
 };
 
 /// Counts for POV-Ray are taken in a picture of this width.
@@ -43,7 +45,12 @@ ExitStatus predict(const PredictArguments& arguments) {
     const double pixels = static_cast<double>(request.width) * request.height;
     std::cout << csvLine({"program", "processor_seconds", "error", "seconds", "threads", "squares", "sampled",
                           "measured_processor_seconds", "off"});
-    const PictureTime own = predictPictureTime(request);
+    TimeLimit limit(arguments.work.seconds);
+    const PictureTime own = predictPictureTime(request, {}, limit.token());
+    if (own.sampled == 0 && limit.over()) {
+        arguments.work.error(arguments.scene.file, "not one square of the picture is drawn");
+        return inputHasErrors;
+    }
     std::vector<std::string> fields{"isoscope",
                                     exactNumber(own.cpuSeconds),
                                     exactNumber(own.error),
@@ -58,10 +65,15 @@ ExitStatus predict(const PredictArguments& arguments) {
         renderImage(request, 1, &statistics);
         fields[7] = exactNumber(statistics.cpuSeconds);
         fields[8] = exactNumber(own.cpuSeconds / statistics.cpuSeconds - 1);
+        limit.restart();  // the picture takes what it takes
     }
     std::cout << csvLine(fields) << std::flush;
-    const double povray =
-        povraySeconds(countForPovray(request, std::min(request.width, countedWidth)), pixels);
+    const PovrayCounts counts = countForPovray(request, std::min(request.width, countedWidth), limit.token());
+    if (!counts.complete) {
+        arguments.work.error(arguments.scene.file, "POV-Ray's time is not known");
+        return inputHasErrors;
+    }
+    const double povray = povraySeconds(counts, pixels);
     std::cout << csvLine({"povray", exactNumber(povray), exactNumber(povrayTimeError),
                           exactNumber(povray / std::min(threads, cores)), std::to_string(threads), "", "", "",
                           ""});
@@ -82,6 +94,7 @@ void addPredictCommand(CommandLine& line) {
     command.option("--threads", arguments->threads, "Number of threads; 0 means all cores").within(0, 1024);
     command.flag("--check", arguments->check,
                  "Draw the picture as well, with one thread, and tell how far off the prediction is");
+    arguments->work.addTo(command, "Seconds to work on the predictions");
     addSolverOption(command, arguments->solver);
     command.run([=] { return predict(*arguments); });
 }

@@ -10,10 +10,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/output_files.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/time_limit.h"
 #include "core/exchange/picture_file.h"
 #include "core/exchange/png.h"
 #include "core/language/directives/written_files.h"
-#include "core/language/reading_limits.h"
 #include "core/render/render_image.h"
 #include "core/study/gradient/hole_map.h"
 #include "core/study/view/cost_map.h"
@@ -104,17 +104,29 @@ bool writeFiles(const RenderArguments& arguments, const ParseResult& parsed) {
     return refused.empty();
 }
 
+/// Says that another picture than the scene's was not drawn in time.
+void printCutOff(const std::string& file, double limit) {
+    std::cerr << file << ": error: drawing was cut off after " << shortestNumber(limit)
+              << " seconds, there is no picture (--picture-limit allows more)\n";
+}
+
 /// The picture of what POV-Ray's method loses, and the counts on standard error.
-bool writeHoleMap(const std::string& file, const RenderRequest& request, int threads) {
-    const HoleMap map = holeMap(request, threads);
+bool writeHoleMap(const RenderArguments& arguments, const RenderRequest& request) {
+    const std::string& file = arguments.holeMap;
+    const TimeLimit limit(arguments.pictureLimit);
+    const HoleMap map = holeMap(request, arguments.threads, limit.token());
+    if (!map.complete && limit.over()) return printCutOff(file, arguments.pictureLimit), false;
     std::cerr << "holes: " << map.count(HolePixel::lost) << " lost, " << map.count(HolePixel::gained)
               << " gained, " << map.count(HolePixel::wrongPlace) << " at a wrong place\n";
     return writeOutput(file, encodePng(picture(map)));
 }
 
 /// The picture of what each pixel takes, and the sums on standard error.
-std::optional<CostMap> writeCostMap(const std::string& file, const RenderRequest& request, int threads) {
-    const CostMap map = costMap(request, threads);
+std::optional<CostMap> writeCostMap(const RenderArguments& arguments, const RenderRequest& request) {
+    const std::string& file = arguments.costMap;
+    const TimeLimit limit(arguments.pictureLimit);
+    const CostMap map = costMap(request, arguments.threads, limit.token());
+    if (!map.complete && limit.over()) return printCutOff(file, arguments.pictureLimit), std::nullopt;
     const std::uint64_t all = map.evaluations();
     std::cerr << "cost: " << all << " evaluations, at most " << map.dearest << " in a pixel\n";
     for (std::size_t i = 0; i < costCauseCount; ++i) {
@@ -145,7 +157,7 @@ RenderRequest requestOf(const RenderArguments& arguments, const ParseResult& par
 /// Draws the picture and tells what was not as it should be. Nothing when it cannot be written.
 std::optional<PictureFileResult> drawPicture(const RenderArguments& arguments, const RenderRequest& request,
                                              const ParseResult& parsed) {
-    const ReadingLimits limits({}, arguments.pictureLimit, std::numeric_limits<std::size_t>::max());
+    const TimeLimit limit(arguments.pictureLimit);
     PictureFileOptions options;
     options.format = formatOf(arguments);
     options.bits = arguments.depth;
@@ -154,7 +166,7 @@ std::optional<PictureFileResult> drawPicture(const RenderArguments& arguments, c
     PictureFileResult result;
     {
         ProgressLine progress("drawing");
-        result = writePictureFile(arguments.output, request, options, limits.token(),
+        result = writePictureFile(arguments.output, request, options, limit.token(),
                                   [&](double share) { progress.show(share); });
     }
     if (!result.problem.empty()) {
@@ -202,11 +214,10 @@ ExitStatus render(const RenderArguments& arguments) {
     const RenderRequest request = requestOf(arguments, parsed);
     const std::optional<PictureFileResult> drawn = drawPicture(arguments, request, parsed);
     if (!drawn) return inputHasErrors;
-    if (!arguments.holeMap.empty() && !writeHoleMap(arguments.holeMap, request, arguments.threads))
-        return inputHasErrors;
+    if (!arguments.holeMap.empty() && !writeHoleMap(arguments, request)) return inputHasErrors;
     std::optional<CostMap> cost;
     if (!arguments.costMap.empty()) {
-        cost = writeCostMap(arguments.costMap, request, arguments.threads);
+        cost = writeCostMap(arguments, request);
         if (!cost) return inputHasErrors;
     }
     if (!arguments.statistics.empty() && !writeStatistics(arguments.statistics, *drawn, parsed, cost))
@@ -257,7 +268,7 @@ void addRenderCommand(CommandLine& line) {
     addAntialiasing(command, *arguments);
     command
         .option("--picture-limit", arguments->pictureLimit,
-                "Seconds that the picture may take (default: any)")
+                "Seconds that each picture may take (default: any)")
         .positive();
     command.option("--statistics", arguments->statistics, "OUT.json: what the picture cost");
     command.option("--hole-map", arguments->holeMap, "OUT.png: pixels that POV-Ray's method gets wrong");

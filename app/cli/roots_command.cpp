@@ -10,6 +10,8 @@
 #include "app/cli/output_files.h"
 #include "app/cli/proof_table.h"
 #include "app/cli/table_row.h"
+#include "app/cli/time_limit.h"
+#include "core/evaluate/tape/loop_stop.h"
 #include "core/roots/certified/certified_root_finder.h"
 #include "core/roots/lipschitz/lipschitz_root_finder.h"
 #include "core/roots/lipschitz/tape_field.h"
@@ -27,8 +29,10 @@ struct CompiledField {
     std::string error;
 };
 
-CompiledField compile(const std::string& body) {
-    const ParsedFunction parsed = parseFunction(body);
+CompiledField compile(const std::string& body, const std::stop_token& stop) {
+    ParseOptions options;
+    options.stop = stop;
+    const ParsedFunction parsed = parseFunction(body, {}, options);
     if (!parsed.ok())
         return {nullptr, {}, parsed.diagnostics.empty() ? "no function" : parsed.diagnostics.front().message};
     return {Tape::compile(parsed.value.function), parsed.parameterTable, {}};
@@ -128,9 +132,10 @@ std::unique_ptr<LineRootFinder> finderOf(const CompiledField& field, const RootS
     return certified;
 }
 
-/// All events of one row. A finder lists at most ten at a time.
+/// All events of one row, or some of them after a stop. A finder lists at most ten at a time.
 RowAnswer findRoots(const LineTask& task, const CompiledField& field, RootFinder solver,
-                    ProofRecorder* recorder) {
+                    ProofRecorder* recorder, const std::stop_token& stop) {
+    const LoopStop loops(stop);
     LineQuery query = task.query;
     const RootSettings& settings = task.settings;
     RowAnswer answer;
@@ -138,7 +143,10 @@ RowAnswer findRoots(const LineTask& task, const CompiledField& field, RootFinder
     std::optional<Verdict> worst;
     while (true) {
         RootList found;
-        finder->find(std::span(&query, 1), {}, {&found, 1});
+        RootRequest request;
+        request.stop = stop;
+        finder->find(std::span(&query, 1), request, {&found, 1});
+        if (stop.stop_requested()) return answer;
         if (!finder->verdicts().empty()) {
             // That of the first root, unless what is behind it is worse.
             const Verdict verdict = finder->verdicts().front();
@@ -179,6 +187,7 @@ struct RootsArguments {
     std::string table;
     std::string solver = "certified";
     std::string proof;
+    WorkLimit work;
     OutputFiles outputs;
 };
 
@@ -196,12 +205,15 @@ ExitStatus listRoots(const RootsArguments& arguments) {
     ProofRecorder recorder;
     std::map<std::string, CompiledField> fields;
     ExitStatus status = done;
+    TimeLimit limit(arguments.work.seconds);
     std::cout << csvLine({"case_id", "t", "kind", "roots", "evaluations"});
     for (std::size_t number = 0; number < table->rowCount(); ++number) {
         TableRow row(file, *table, number);
+        limit.restart();
         const auto [entry, isNew] = fields.try_emplace(row.text("function"));
         CompiledField& field = entry->second;
-        if (isNew) field = compile(row.text("function"));
+        if (isNew) field = compile(row.text("function"), limit.token());
+        if (isNew && limit.over()) arguments.work.error(row.place(), "the function is not read");
         if (!field.tape) row.refuse("function", "is no function: " + field.error);
         const LineTask task = readTask(row);
         const double tMin = row.number("t_min", 0);
@@ -212,7 +224,13 @@ ExitStatus listRoots(const RootsArguments& arguments) {
             continue;
         }
         recorder.clear();
-        const RowAnswer answer = findRoots(task, field, solver, proves ? &recorder : nullptr);
+        const RowAnswer answer = findRoots(task, field, solver, proves ? &recorder : nullptr, limit.token());
+        if (limit.over()) {
+            arguments.work.error(row.place(), "there is no answer");
+            std::cout << csvLine({id, "error", "", "", "0"});
+            status = inputHasErrors;
+            continue;
+        }
         std::cout << csvLine(fieldsOf(id, answer, task.direction, tMin));
         if (proves) proof.add(id, task.direction, recorder.steps());
         if (answer.complete) continue;
@@ -236,6 +254,7 @@ void addRootsCommand(CommandLine& line) {
     addSolverOption(command, arguments->solver);
     command.option("--proof", arguments->proof,
                    "CSV for the steps by which each part of each ray was passed, or a root found there");
+    arguments->work.addTo(command, "Seconds to work on each row");
     arguments->outputs.addTo(command);
     command.run([=] { return listRoots(*arguments); });
 }

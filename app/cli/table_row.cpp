@@ -91,7 +91,7 @@ void TableRow::refuse(const std::string& column, const std::string& problem) {
 
 void TableRow::say(const std::string& problem) {
     ok_ = false;
-    std::cerr << file_ << ':' << table_.line(row_) << ": error: row " << row_ + 1 << ": " << problem << '\n';
+    std::cerr << place() << ": error: row " << row_ + 1 << ": " << problem << '\n';
 }
 
 double TableRow::readNumber(const std::string& column, double missing, bool finite) {

@@ -28,6 +28,8 @@ class TableRow {
 
     /// Whether every cell that was asked for is what it has to be.
     bool ok() const { return ok_; }
+    /// "FILE:LINE", for messages.
+    std::string place() const { return file_ + ':' + std::to_string(table_.line(row_)); }
     /// The text of a cell, empty where there is none.
     const std::string& text(const std::string& column) const { return table_.field(row_, column); }
 

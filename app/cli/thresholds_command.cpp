@@ -2,10 +2,12 @@
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/time_limit.h"
 #include "core/study/threshold/critical_study.h"
 #include "core/text/csv_table.h"
 #include "core/text/number_format.h"
@@ -19,6 +21,7 @@ using Json = nlohmann::ordered_json;
 struct ThresholdArguments {
     SceneArguments scene;
     CriticalStudySettings settings;
+    WorkLimit work;
     bool json = false;
 };
 
@@ -87,6 +90,7 @@ ExitStatus studyThresholds(const ThresholdArguments& arguments) {
         std::cerr << file << ": error: there is no isosurface\n";
         return inputHasErrors;
     }
+    const TimeLimit limit(arguments.work.seconds);
     std::vector<StudiedThresholds> all;
     for (const SceneIsosurface& isosurface : parsed.scene->isosurfaces) {
         const Isosurface& surface = *isosurface.shape;
@@ -96,10 +100,15 @@ ExitStatus studyThresholds(const ThresholdArguments& arguments) {
         ProgressLine progress(file + ":" + studied.line);
         CriticalStudy study(surface.prepared(*parsed.scene->parameterTable), surface.settings().container,
                             arguments.settings);
-        studied.critical = study.run([&](double done) { progress.show(done); });
-        if (!studied.critical.finished)
-            std::cerr << file << ":" << studied.line << ": note: --boxes ended the search; what is "
-                      << "suspected as unfinished may hold more points\n";
+        constexpr std::uint64_t slice = 256;  // between two lines of progress
+        while (!limit.over() && study.step(slice, limit.token())) progress.show(study.progress());
+        studied.critical = study.points();
+        const std::string place = file + ":" + studied.line;
+        constexpr std::string_view more = "what is suspected as unfinished may hold more points";
+        if (!studied.critical.finished && limit.over())
+            arguments.work.note(place, more);
+        else if (!studied.critical.finished)
+            std::cerr << place << ": note: --boxes ended the search; " << more << '\n';
         if (studied.critical.jumps)
             std::cerr << file << ":" << studied.line
                       << ": note: the function may jump, where surfaces change without a critical point\n";
@@ -118,6 +127,7 @@ void addThresholdsCommand(CommandLine& line) {
     arguments->scene.addTo(command);
     command.option("--boxes", arguments->settings.boxLimit, "Boxes to look at before giving up")
         .showDefault();
+    arguments->work.addTo(command);
     command.flag("--json", arguments->json, "One JSON array instead of CSV, with boxes around the points");
     command.run([=] { return studyThresholds(*arguments); });
 }

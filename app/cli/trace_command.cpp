@@ -5,6 +5,8 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/table_row.h"
+#include "app/cli/time_limit.h"
+#include "core/evaluate/tape/loop_stop.h"
 #include "core/roots/verdict.h"
 #include "core/text/number_format.h"
 
@@ -17,6 +19,7 @@ struct TraceArguments {
     std::string rays;
     std::string object;
     std::string solver = "lipschitz";
+    WorkLimit work{WorkLimit::ofPictures};
 };
 
 /// `kind` says what was met, or why that is not certain.
@@ -60,7 +63,16 @@ ExitStatus trace(const TraceArguments& arguments) {
     TraceContext context(parsed.scene->parameterTable, rootFinder(arguments.solver));
     std::vector<Verdict> verdicts(rays.size(), Verdict::certifiedMiss);
     context.verdicts = verdicts;
-    shape->nearest(rays, context, nearest);
+    {
+        const TimeLimit limit(arguments.work.seconds);
+        const LoopStop loops(limit.token());
+        context.stop = limit.token();
+        shape->nearest(rays, context, nearest);
+        if (limit.over()) {
+            arguments.work.error(arguments.rays, "not all rays are traced, none is answered");
+            return inputHasErrors;
+        }
+    }
 
     std::cout << csvLine({"hit", "t", "px", "py", "pz", "nx", "ny", "nz", "kind"});
     for (std::size_t row = 0; row < rays.size(); ++row)
@@ -78,6 +90,7 @@ void addTraceCommand(CommandLine& line) {
     arguments->scene.addTo(command);
     command.option("--rays", arguments->rays, "CSV with ox,oy,oz,dx,dy,dz").required();
     command.option("--object", arguments->object, "Declared object to test (default: the whole scene)");
+    arguments->work.addTo(command, "Seconds to trace the rays");
     addSolverOption(command, arguments->solver);
     command.run([=] { return trace(*arguments); });
 }

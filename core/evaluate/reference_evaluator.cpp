@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 
+#include "core/evaluate/tape/loop_stop.h"
 #include "core/function/scalar_operations.h"
 
 namespace isoscope {
@@ -72,7 +73,7 @@ double ReferenceEvaluator::loopValue(const Node& node, std::span<const double> p
     ReferenceEvaluator body(function_.graph->loopBody(node.index), range.bodyAllowance());
     std::vector<double> arguments(1);
     for (const NodeId id : node.captured) arguments.push_back(values_[id]);
-    for (double i = first; i <= last; i += 1) {
+    for (double i = first; i <= last && !LoopStop::requested(); i += 1) {
         arguments[0] = i;
         const double term = body.evaluate(arguments, parameters);
         total = isSum ? total + term : total * term;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <sys/resource.h>
 
+#include <QElapsedTimer>
 #include <QFile>
 #include <QRandomGenerator>
 #include <QRegularExpression>
@@ -232,6 +233,69 @@ class AttackTest : public QObject {
         const ProgramResult cut = runCli({"check", "--time-limit", "0.05", file(loop("foo bar baz"))}, 20);
         QVERIFY(cut.errors.contains("it has taken 0.05 seconds"));
         QVERIFY(cut.errors.contains("--time-limit"));
+    }
+
+    /// What has been read may be work for hours: 4000 noises, and loops of a million steps.
+    void workEnds_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<int>("status");
+        const auto add = [](const QStringList& arguments, int status) {
+            QTest::newRow(qPrintable(arguments.join(' '))) << arguments << status;
+        };
+        // A note, where what is told is true as far as it goes.
+        for (const char* command : {"container", "thresholds"}) add({command, "noises.pov"}, 0);
+        add({"export", "noises.pov", "--note", "-o", "out.inc"}, 0);
+        for (const char* command : {"health", "report", "evaluate-advice", "accuracy"})
+            add({command, "noises.pov"}, 1);
+        add({"accuracy", "--knee", "noises.pov"}, 1);
+        add({"mesh", "noises.pov", "-o", "out.stl"}, 1);
+        for (const char* command : {"sweep", "sheet"}) {
+            QStringList arguments{command, "noises.pov", "--parameter", "Level", "--from", "1", "--to", "2"};
+            if (arguments.front() == "sheet")
+                arguments << "-o"
+                          << "sheet.png";
+            add(arguments, 1);
+        }
+        add({"predict", "noises.pov", "--solver", "lipschitz"}, 1);
+        add({"trace", "noises.pov", "--rays", "rays.csv"}, 1);
+        for (const char* solver : {"certified", "lipschitz"})
+            add({"roots", "--table", "lines.csv", "--solver", solver}, 1);
+        for (const char* evaluator : {"reference", "batch"})
+            add({"evaluate", "--table", "points.csv", "--evaluator", evaluator}, 1);
+    }
+
+    void workEnds() {
+        QFETCH(QStringList, arguments);
+        QFETCH(int, status);
+        const QByteArray noises = [] {
+            QByteArray sum = "Level*0";
+            for (int i = 0; i < 4000; ++i)
+                sum += "+f_noise3d(x*" + QByteArray::number(1 + i * 1e-4) + ",y,z*9)";
+            return sum;
+        }();
+        const QByteArray loop = "sum(k,1,1000000,sin(k*x)+cos(k*y)*sin(k*z))";
+        writeFile(folder_.path(), "noises.pov",
+                  "#version 3.7; #include \"functions.inc\"\n#declare Level = 1;\n"
+                  "camera { location -5*z look_at 0 }\n"
+                  "isosurface { function { " +
+                      noises + "-2000 } max_gradient 9000 accuracy 1e-6 }\n");
+        writeFile(folder_.path(), "rays.csv",
+                  "ox,oy,oz,dx,dy,dz\n" + QByteArray("0.1,0.2,-5,0,0,1\n").repeated(5000));
+        writeFile(folder_.path(), "lines.csv",
+                  "case_id,function,threshold,container,ox,oy,oz,dx,dy,dz,lipschitz\n"
+                  "a,\"" +
+                      loop + "\",1e9,\"box{<-1,-1,-1>,<1,1,1>}\",-5,0.1,0.2,1,0.1,0.1,1e12\n");
+        writeFile(folder_.path(), "points.csv",
+                  "expression,x,y,z\n" + ("\"" + loop + "\",0.1,0.2,0.3\n").repeated(100));
+        QElapsedTimer clock;
+        clock.start();
+        const ProgramResult result =
+            runProgram(ISOSCOPE_BINARY_DIR "/isoscope-cli", arguments + QStringList{"--work-limit", "0.1"},
+                       20, folder_.path());
+        QVERIFY2(result.errors.contains("the time is over (--work-limit 0.1); "), result.errors.left(300));
+        QCOMPARE(result.status, status);
+        QVERIFY2(clock.elapsed() < 10000, QByteArray::number(clock.elapsed()));
+        QVERIFY2(peakOfChildren() < 1000, QByteArray::number(qlonglong(peakOfChildren())) + " MB");
     }
 
     void drawingEnds_data() {

@@ -4,6 +4,7 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/time_limit.h"
 #include "core/study/gradient/evaluate_advice.h"
 #include "core/text/csv_table.h"
 #include "core/text/number_format.h"
@@ -16,6 +17,7 @@ struct AdviceArguments {
     SceneArguments scene;
     int width = 320;
     int height = 240;
+    WorkLimit work;
 };
 
 void print(const std::string& line, const BoundTrial& trial, std::uint64_t pixels, bool best) {
@@ -36,6 +38,7 @@ ExitStatus advise(const AdviceArguments& arguments) {
         return inputHasErrors;
     }
     const RenderRequest view = pictureOf(parsed, arguments.width, arguments.height, "lipschitz");
+    const TimeLimit limit(arguments.work.seconds);
     std::cout << csvLine({"line", "p0", "p1", "p2", "max_gradient", "evaluations_per_pixel", "wrong_pixels",
                           "of_pixels", "best"});
     for (std::size_t i = 0; i < parsed.scene->isosurfaces.size(); ++i) {
@@ -43,10 +46,13 @@ ExitStatus advise(const AdviceArguments& arguments) {
         const std::string line = std::to_string((*parsed.sources)[range.file].position(range.begin).line);
         ProgressLine progress(file + ":" + line);
         const EvaluateAdvice advice =
-            adviseEvaluate(view, i, 0, {}, [&](double done) { progress.show(done); });
+            adviseEvaluate(view, i, 0, limit.token(), [&](double done) { progress.show(done); });
         const BoundTrial* best = advice.best();
         if (advice.fixed.maxGradient > 0) print(line, advice.fixed, advice.pixels, !best);
         for (const BoundTrial& trial : advice.trials) print(line, trial, advice.pixels, &trial == best);
+        if (!limit.over()) continue;
+        arguments.work.error(file + ":" + line, "more was to be tried");
+        return inputHasErrors;
     }
     return parsed.ok() ? done : inputHasErrors;
 }
@@ -63,6 +69,7 @@ void addEvaluateAdviceCommand(CommandLine& line) {
         .within(1, largestSide)
         .showDefault();
     command.option("-H,--height", arguments->height, "Height in pixels").within(1, largestSide).showDefault();
+    arguments->work.addTo(command);
     command.run([=] { return advise(*arguments); });
 }
 

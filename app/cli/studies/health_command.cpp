@@ -6,6 +6,7 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/time_limit.h"
 #include "core/study/health/function_health.h"
 #include "core/text/csv_table.h"
 #include "core/text/number_format.h"
@@ -19,8 +20,12 @@ using Json = nlohmann::ordered_json;
 struct HealthArguments {
     SceneArguments scene;
     std::size_t boxes = HealthSettings().boxLimit;
+    WorkLimit work;
     bool json = false;
 };
+
+/// Of the time for looking for places; what is left is for finding out about them.
+constexpr double shareOfSearch = 0.75;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -60,6 +65,8 @@ ExitStatus tellHealth(const HealthArguments& arguments) {
     }
     HealthSettings settings;
     settings.boxLimit = arguments.boxes;
+    const TimeLimit limit(arguments.work.seconds), search(arguments.work.seconds * shareOfSearch);
+    ExitStatus status = parsed.ok() ? done : inputHasErrors;
     Json list = Json::array();
     if (!arguments.json)
         std::cout << csvLine({"line", "kind", "x", "y", "z", "distance", "size", "certainty", "consequence"});
@@ -67,17 +74,27 @@ ExitStatus tellHealth(const HealthArguments& arguments) {
         const std::string line =
             std::to_string((*parsed.sources)[isosurface.range.file].position(isosurface.range.begin).line);
         ProgressLine progress(file + ":" + line);
-        const FunctionHealth health = functionHealth(*isosurface.shape, *parsed.scene->parameterTable,
-                                                     settings, [&](double done) { progress.show(done); });
-        if (!health.finished)
+        const FunctionHealth health = functionHealth(
+            *isosurface.shape, *parsed.scene->parameterTable, settings,
+            [&](double done) { progress.show(done); }, limit.token(), search.token());
+        if (limit.over()) {
+            arguments.work.error(file + ":" + line,
+                                 "nothing is known of this function, and of any behind it");
+            status = inputHasErrors;
+            break;
+        }
+        if (search.over() && !health.finished) {
+            arguments.work.note(file + ":" + line, "there may be more than is told");
+        } else if (!health.finished) {
             std::cerr << file << ":" << line << ": note: the search ended early, there may be more\n";
+        }
         if (arguments.json)
             list.push_back(jsonOf(health, line));
         else
             printTable(health, line);
     }
     if (arguments.json) std::cout << list.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    return parsed.ok() ? done : inputHasErrors;
+    return status;
 }
 
 }  // namespace
@@ -88,6 +105,7 @@ void addHealthCommand(CommandLine& line) {
     auto arguments = std::make_shared<HealthArguments>();
     arguments->scene.addTo(command);
     command.option("--boxes", arguments->boxes, "Boxes to look at before giving up").showDefault();
+    arguments->work.addTo(command);
     command.flag("--json", arguments->json, "One JSON array instead of CSV, with the regions");
     command.run([=] { return tellHealth(*arguments); });
 }

@@ -5,6 +5,7 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/time_limit.h"
 #include "core/study/range/scene_ranges.h"
 #include "core/text/csv_table.h"
 #include "core/text/number_format.h"
@@ -18,6 +19,7 @@ using Json = nlohmann::ordered_json;
 struct RangeArguments {
     SceneArguments scene;
     std::size_t boxes = RangeSettings().boxLimit;
+    WorkLimit work;
     bool json = false;
 };
 
@@ -77,14 +79,16 @@ ExitStatus studyRanges(const RangeArguments& arguments) {
     settings.boxLimit = arguments.boxes;
     const std::vector<RangeSubject> subjects = rangeSubjects(scene);
     std::vector<StudiedRange> all;
+    const TimeLimit limit(arguments.work.seconds);
     ProgressLine progress(arguments.scene.file);
     for (const RangeSubject& subject : subjects) {
         const SourceRange& statement = scene.isosurfaces[subject.isosurface].range;
         const int line = (*parsed.sources)[statement.file].position(statement.begin).line;
-        all.push_back(
-            {std::to_string(line), &scene.parameters[subject.parameter], rangeOf(scene, subject, settings)});
+        all.push_back({std::to_string(line), &scene.parameters[subject.parameter],
+                       rangeOf(scene, subject, settings, limit.token())});
         progress.show(static_cast<double>(all.size()) / static_cast<double>(subjects.size()));
     }
+    if (limit.over()) arguments.work.note(arguments.scene.file, "what is told is proven so far");
     arguments.json ? printJson(all) : printTable(all);
     return parsed.ok() ? done : inputHasErrors;
 }
@@ -97,6 +101,7 @@ void addRangesCommand(CommandLine& line) {
     auto arguments = std::make_shared<RangeArguments>();
     arguments->scene.addTo(command);
     command.option("--boxes", arguments->boxes, "Enclosures for each number before giving up").showDefault();
+    arguments->work.addTo(command);
     command.flag("--json", arguments->json, "One JSON array instead of CSV, with the pieces of each range");
     command.run([=] { return studyRanges(*arguments); });
 }

@@ -6,6 +6,7 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/time_limit.h"
 #include "core/study/shape/shape_report.h"
 
 namespace isoscope::cli {
@@ -17,6 +18,7 @@ using Json = nlohmann::ordered_json;
 struct ReportArguments {
     SceneArguments scene;
     int cells = 64;
+    WorkLimit work;
     bool json = false;
 };
 
@@ -57,14 +59,23 @@ ExitStatus reportShapes(const ReportArguments& arguments) {
         std::cerr << file << ": error: there is no isosurface\n";
         return inputHasErrors;
     }
+    const TimeLimit limit(arguments.work.seconds);
+    ExitStatus status = parsed.ok() ? done : inputHasErrors;
     Json list = Json::array();
     for (const SceneIsosurface& isosurface : parsed.scene->isosurfaces) {
         const int line = (*parsed.sources)[isosurface.range.file].position(isosurface.range.begin).line;
         ShapeReport report;
         {
             ProgressLine progress(file + ":" + std::to_string(line));
-            report = shapeReport(isosurface.shape, *parsed.scene->parameterTable, arguments.cells,
-                                 [&](double done) { progress.show(done); });
+            report = shapeReport(
+                isosurface.shape, *parsed.scene->parameterTable, arguments.cells,
+                [&](double done) { progress.show(done); }, limit.token());
+        }
+        if (limit.over() && !report.known) {
+            arguments.work.error(file + ":" + std::to_string(line),
+                                 "there is no report of this isosurface, and of any behind it");
+            status = inputHasErrors;
+            break;
         }
         if (arguments.json) {
             list.push_back(jsonOf(report, line));
@@ -75,7 +86,7 @@ ExitStatus reportShapes(const ReportArguments& arguments) {
         std::cout << std::flush;
     }
     if (arguments.json) std::cout << list.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    return parsed.ok() ? done : inputHasErrors;
+    return status;
 }
 
 }  // namespace
@@ -89,6 +100,7 @@ void addReportCommand(CommandLine& line) {
     command.option("--cells", arguments->cells, "Of the grid, along the container's longest side")
         .within(4, SolidGrid::mostCells)
         .showDefault();
+    arguments->work.addTo(command);
     command.flag("--json", arguments->json, "One JSON array instead of text");
     command.run([=] { return reportShapes(*arguments); });
 }

@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/output_files.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/time_limit.h"
 #include "core/study/rewrites/formula_rewrites.h"
 #include "core/text/csv_table.h"
 #include "core/text/number_format.h"
@@ -19,6 +20,7 @@ struct RewritesArguments {
     SceneArguments scene;
     int apply = 0;
     std::string output;
+    WorkLimit work;
     OutputFiles outputs;
 };
 
@@ -49,18 +51,24 @@ ExitStatus tellRewrites(const RewritesArguments& arguments) {
     std::cout << csvLine({"number", "line", "column", "kind", "proof", "largest_difference", "points",
                           "povray_ns", "povray_ns_after", "off", "off_after", "text", "replacement",
                           "explanation"});
+    const TimeLimit limit(arguments.work.seconds);
     std::vector<FormulaRewrite> all;
     ProgressLine progress(file);
     for (std::size_t i = 0; i < count; ++i) {
-        const auto found = formulaRewrites(parsed, i, [&](double done) {
+        const auto show = [&](double done) {
             progress.show((static_cast<double>(i) + done) / static_cast<double>(count));
-        });
+        };
+        const auto found = formulaRewrites(parsed, i, show, limit.token());
         for (const FormulaRewrite& one : found) {
             // Two isosurfaces may share a function.
             if (std::ranges::find(all, one.fix, &FormulaRewrite::fix) != all.end()) continue;
             all.push_back(one);
             print(parsed, all.size(), one);
         }
+    }
+    if (limit.over()) {
+        arguments.work.error(file, "there may be more rewrites");
+        return inputHasErrors;
     }
     if (arguments.apply == 0) return parsed.ok() ? done : inputHasErrors;
     if (static_cast<std::size_t>(arguments.apply) > all.size()) {
@@ -82,6 +90,7 @@ void addRewritesCommand(CommandLine& line) {
     command.option("--apply", arguments->apply, "Write the scene with the rewrite of this number")
         .within(1, mostRewrites);
     command.option("-o,--output", arguments->output, "OUT.pov, for --apply");
+    arguments->work.addTo(command);
     arguments->outputs.addTo(command);
     command.run([=] { return tellRewrites(*arguments); });
 }

@@ -5,6 +5,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/output_files.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/time_limit.h"
 #include "app/cli/studies/value_range.h"
 #include "core/exchange/png.h"
 #include "core/exchange/sheets/small_multiples.h"
@@ -24,6 +25,7 @@ struct SheetArguments {
     int height = 180;
     int columns = 0;
     bool antialias = false;
+    WorkLimit work{WorkLimit::ofPictures};
     OutputFiles outputs;
 };
 
@@ -53,19 +55,22 @@ ExitStatus drawSheet(const SheetArguments& arguments) {
     SmallMultiples pictures(parsed, pictureToDraw(parsed, arguments), true, varied(*first),
                             second ? std::optional(varied(*second)) : std::nullopt, arguments.columns);
     if (pictures.tooLarge()) throw UsageError("the sheet would have more than 100 million pixels");
+    const TimeLimit limit(arguments.work.seconds);
     ProgressLine progress(arguments.scene.file);
     std::cout << csvLine(second ? std::vector<std::string>{"row", "column", "value", "second", "drawn"}
                                 : std::vector<std::string>{"row", "column", "value", "drawn"});
     for (std::size_t i = 0; i < pictures.cells().size(); ++i) {
         const SmallMultiples::Cell& cell = pictures.cells()[i];
-        const bool drawn = pictures.draw(i);
+        const bool drawn = pictures.draw(i, limit.token());
         std::vector<std::string> row{std::to_string(cell.row), std::to_string(cell.column)};
         for (const NumberSetting& number : cell.numbers) row.push_back(exactNumber(number.value));
         row.push_back(drawn ? "1" : "0");
         std::cout << csvLine(row) << std::flush;
         progress.show((static_cast<double>(i) + 1) / static_cast<double>(pictures.cells().size()));
     }
-    return writeOutput(arguments.output, encodePng(pictures.sheet().image(), 0)) && parsed.ok()
+    if (limit.over()) arguments.work.error(arguments.scene.file, "pictures are missing from the sheet");
+    return writeOutput(arguments.output, encodePng(pictures.sheet().image(), 0)) && parsed.ok() &&
+                   !limit.over()
                ? done
                : inputHasErrors;
 }
@@ -90,6 +95,7 @@ void addSheetCommand(CommandLine& line) {
         .showDefault();
     command.flag("--antialias", arguments->antialias, "Smooth edges: nine samples a pixel");
     addSolverOption(command, arguments->solver);
+    arguments->work.addTo(command);
     arguments->outputs.addTo(command);
     command.run([=] { return drawSheet(*arguments); });
 }

@@ -6,6 +6,7 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/time_limit.h"
 #include "app/cli/studies/value_range.h"
 #include "core/study/range/scene_ranges.h"
 #include "core/study/sweep/parameter_sweep.h"
@@ -22,6 +23,7 @@ struct SweepArguments {
     int isosurface = 0;
     int width = 160;
     int height = 120;
+    WorkLimit work{WorkLimit::ofPictures};
     bool json = false;
 };
 
@@ -69,11 +71,12 @@ ExitStatus sweep(const SweepArguments& arguments) {
         const NumberSetting setting{varied->parameter, value};
         return sceneWithNumbers(parsed, {&setting, 1});
     };
+    const TimeLimit limit(arguments.work.seconds);
     ProgressLine progress(arguments.scene.file);
     ParameterSweep study(std::move(request));
     Json list = Json::array();
     if (!arguments.json) std::cout << sweepTableHeader();
-    while (const std::optional<SweepPoint> point = study.next()) {
+    while (const std::optional<SweepPoint> point = study.next(limit.token())) {
         progress.show(static_cast<double>(study.done()) / static_cast<double>(study.size()));
         if (arguments.json)
             list.push_back(jsonOf(*point));
@@ -81,7 +84,9 @@ ExitStatus sweep(const SweepArguments& arguments) {
             std::cout << sweepTableLine(*point) << std::flush;
     }
     if (arguments.json) std::cout << list.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    return parsed.ok() ? done : inputHasErrors;
+    if (study.done() < study.size())
+        arguments.work.error(arguments.scene.file, "the values that are left are not studied");
+    return parsed.ok() && study.done() == study.size() ? done : inputHasErrors;
 }
 
 }  // namespace
@@ -101,6 +106,7 @@ void addSweepCommand(CommandLine& line) {
         .within(1, largestSide)
         .showDefault();
     command.option("-H,--height", arguments->height, "Height in pixels").within(1, largestSide).showDefault();
+    arguments->work.addTo(command);
     command.flag("--json", arguments->json, "One JSON array instead of CSV");
     command.run([=] { return sweep(*arguments); });
 }

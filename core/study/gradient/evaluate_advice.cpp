@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/evaluate/gradient_evaluator.h"
+#include "core/evaluate/tape/loop_stop.h"
 #include "core/study/accuracy/scene_variant.h"
 #include "core/study/gradient/gradient_domain.h"
 #include "core/study/gradient/gradient_study.h"
@@ -23,13 +24,21 @@ constexpr double quantiles[] = {0.5, 0.9, 0.99, 0.999};
 constexpr double factors[] = {1.2, 2};            ///< P1
 constexpr double attenuations[] = {0.7, 0.9, 1};  ///< P2
 
-/// Lengths of the gradient at points of the container, in ascending order.
-std::vector<double> gradientsIn(const Isosurface& surface, std::span<const double> parameters) {
+/// Lengths of the gradient at points of the container, in ascending order; fewer after a stop.
+std::vector<double> gradientsIn(const Isosurface& surface, std::span<const double> parameters,
+                                const std::stop_token& stop) {
     const GradientDomain domain(surface.settings().container);
     if (domain.empty()) return {};
     const SpreadPoints points = spreadPoints(domain, pointCount);
     std::vector<ValueAndGradient> all(points.x.size());
-    GradientEvaluator(surface.prepared(parameters)).evaluate(points.x, points.y, points.z, all);
+    GradientEvaluator evaluator(surface.prepared(parameters));
+    constexpr std::size_t slice = 256;  // between two looks at the stop
+    for (std::size_t first = 0; first < all.size() && !stop.stop_requested(); first += slice) {
+        const std::size_t count = std::min(slice, all.size() - first);
+        evaluator.evaluate(std::span(points.x).subspan(first, count),
+                           std::span(points.y).subspan(first, count),
+                           std::span(points.z).subspan(first, count), std::span(all).subspan(first, count));
+    }
     std::vector<double> lengths;
     for (const ValueAndGradient& one : all) {
         const double length = std::hypot(one.gradient[0], one.gradient[1], one.gradient[2]);
@@ -76,7 +85,8 @@ EvaluateAdvice adviseEvaluate(RenderRequest view, std::size_t isosurface, int th
     view.height = std::max(1, view.height * width / view.width);
     view.width = width;
     advice.pixels = static_cast<std::uint64_t>(view.width) * static_cast<std::uint64_t>(view.height);
-    const std::vector<double> gradients = gradientsIn(*subject, *scene->parameterTable);
+    const LoopStop loops(stop);
+    const std::vector<double> gradients = gradientsIn(*subject, *scene->parameterTable, stop);
     GradientStudy study(subject->prepared(*scene->parameterTable), subject->settings().container,
                         {bracketWidth, boxLimit});
     const double proven = roundValueAbove(study.run(stop).upper);
@@ -99,23 +109,26 @@ EvaluateAdvice adviseEvaluate(RenderRequest view, std::size_t isosurface, int th
         trial.mistakes = compareViews(traced, truth, tolerance).mistakes();
     };
     if (proven > 0) {
-        advice.fixed.maxGradient = proven;
-        measure(advice.fixed);
+        BoundTrial fixed;
+        fixed.maxGradient = proven;
+        measure(fixed);
+        if (stop.stop_requested()) return advice;
+        advice.fixed = fixed;
     }
     const std::vector<double> starts = startsFrom(gradients, steepestMet);
     const double count = static_cast<double>(starts.size() * std::size(factors) * std::size(attenuations));
     for (const double start : starts)
         for (const double factor : factors)
             for (const double attenuation : attenuations) {
-                if (stop.stop_requested()) return advice;
                 BoundTrial trial;
                 trial.evaluate = {start, factor, attenuation};
                 trial.maxGradient = start;
                 measure(trial);
+                if (stop.stop_requested()) return advice;
                 advice.trials.push_back(trial);
                 if (report) report(static_cast<double>(advice.trials.size()) / count);
             }
-    advice.complete = !stop.stop_requested();
+    advice.complete = true;
     return advice;
 }
 

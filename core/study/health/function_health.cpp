@@ -21,6 +21,7 @@ namespace isoscope {
 namespace {
 
 constexpr int raysAlong = 28;
+constexpr std::size_t mostPoints = 3000;
 /// Parts of accuracy that the surface may be off before that is told.
 constexpr double toleratedShare = 0.1;
 /// Boxes of a finding that are probed, the nearest to the surface first.
@@ -47,23 +48,25 @@ std::array<bool, ailmentCount> suspicions(const IntervalGradient& all) {
 
 class Search {
   public:
-    Search(const Isosurface& surface, std::span<const double> parameters, const HealthSettings& settings)
+    Search(const Isosurface& surface, std::span<const double> parameters, const HealthSettings& settings,
+           const std::stop_token& stop)
         : surface_(surface),
           settings_(settings),
           domain_(surface.settings().container),
           function_(surface.prepared(parameters)),
           intervals_(*function_),
-          points_(surfacePoints(surface, parameters, raysAlong)) {}
+          points_(surfacePoints(surface, parameters, raysAlong, mostPoints, stop)) {}
 
     bool empty() const { return domain_.empty(); }
 
-    FunctionHealth run(const std::function<void(double)>& progress, const std::stop_token& stop) {
+    FunctionHealth run(const std::function<void(double)>& progress, const std::stop_token& stop,
+                       const std::stop_token& enough) {
         FunctionHealth health;
         health.resolution = std::max(settings_.fineness, 1.0 / raysAlong) * domain_.box().width();
-        health.finished = divide(progress, stop);
+        health.finished = divide(progress, stop, enough);
         if (stop.stop_requested()) return {};
-        for (int kind = 0; kind < ailmentCount; ++kind) report(static_cast<Ailment>(kind), health);
-        lookForCancellation(health);
+        for (int kind = 0; kind < ailmentCount; ++kind) report(static_cast<Ailment>(kind), health, stop);
+        lookForCancellation(health, stop);
         health.known = !stop.stop_requested();
         if (progress) progress(1);
         return health;
@@ -71,10 +74,11 @@ class Search {
 
   private:
     /// Whether no box is left over.
-    bool divide(const std::function<void(double)>& progress, const std::stop_token& stop) {
+    bool divide(const std::function<void(double)>& progress, const std::stop_token& stop,
+                const std::stop_token& enough) {
         std::deque<GradientBox> queue{domain_.box()};
         const double finest = settings_.fineness * domain_.box().width() * (1 + 1e-9);
-        while (!queue.empty() && !stop.stop_requested()) {
+        while (!queue.empty() && !stop.stop_requested() && !enough.stop_requested()) {
             const GradientBox box = queue.front();
             queue.pop_front();
             if (domain_.misses(box)) continue;
@@ -99,7 +103,7 @@ class Search {
                 progress(0.9 * static_cast<double>(intervals_.evaluations()) /
                          static_cast<double>(settings_.boxLimit));
         }
-        return !leftOver_ && !stop.stop_requested();
+        return !leftOver_ && queue.empty();
     }
 
     double distanceOf(const glm::dvec3& place) const {
@@ -111,13 +115,14 @@ class Search {
         return std::sqrt(least);
     }
 
-    void report(Ailment ailment, FunctionHealth& health) {
+    void report(Ailment ailment, FunctionHealth& health, const std::stop_token& stop) {
         const std::vector<Leaf>& leaves = leaves_[static_cast<std::size_t>(ailment)];
         std::vector<GradientBox> boxes;
         for (const Leaf& leaf : leaves) boxes.push_back(leaf.box);
         AilmentProbe probe(function_, domain_);
         std::vector<HealthFinding> found;
         for (std::vector<std::size_t>& group : touchingBoxes(domain_.box(), boxes)) {
+            if (stop.stop_requested()) return;
             std::ranges::sort(group, {}, [&](std::size_t i) { return leaves[i].distance; });
             HealthFinding finding{ailment,
                                   domain_.nearest(leaves[group.front()].box.center()),
@@ -148,11 +153,12 @@ class Search {
     }
 
     /// The rounding errors of the value at points of the surface, as a length along the gradient.
-    void lookForCancellation(FunctionHealth& health) {
+    void lookForCancellation(FunctionHealth& health, const std::stop_token& stop) {
         IntervalEvaluator values(*function_);
         HealthFinding worst;
         worst.ailment = Ailment::cancellation;
         for (const glm::dvec3& point : points_) {
+            if (stop.stop_requested()) return;
             const GradientBox at{point, point};
             const IntervalGradient& all = intervals_.evaluate(at.intervals());
             const double steepness = gradient_rules::lengthBelow(all.slope);
@@ -215,11 +221,11 @@ std::string_view consequence(Ailment ailment) {
 
 FunctionHealth functionHealth(const Isosurface& surface, std::span<const double> parameters,
                               const HealthSettings& settings, const std::function<void(double)>& progress,
-                              std::stop_token stop) {
+                              std::stop_token stop, std::stop_token enough) {
     const LoopStop loops(stop);
     if (stop.stop_requested()) return {};
-    Search search(surface, parameters, settings);
-    return search.empty() ? FunctionHealth{} : search.run(progress, stop);
+    Search search(surface, parameters, settings, stop);
+    return search.empty() ? FunctionHealth{} : search.run(progress, stop, enough);
 }
 
 }  // namespace isoscope

@@ -46,7 +46,7 @@ struct HealthFinding {
 struct FunctionHealth {
     std::vector<HealthFinding> findings;  ///< the worst kinds first, of one kind the nearest to the surface
     double resolution = 0;                ///< of distances, and of what is told apart
-    bool finished = false;  ///< else the budget was spent, or findings were left out: there may be more
+    bool finished = false;  ///< else there may be more: budget or time were spent, or findings left out
     bool known = false;     ///< false after a stop, and for containers that are not finite
 };
 
@@ -60,9 +60,11 @@ struct HealthSettings {
 /// Looks for such places: boxes of the container whose enclosures exclude them all are dismissed, the others
 /// halved; those that touch are one finding, which evaluations at points try to confirm. What is not found is
 /// not there, for the function as IntervalGradientEvaluator understands it, except that cancellation is only
-/// looked for at points of the surface.
+/// looked for at points of the surface. `enough` ends the search for further ones, and what is found by then
+/// is told; after `stop` nothing is.
 FunctionHealth functionHealth(const Isosurface& surface, std::span<const double> parameters,
                               const HealthSettings& settings = {},
-                              const std::function<void(double)>& progress = {}, std::stop_token stop = {});
+                              const std::function<void(double)>& progress = {}, std::stop_token stop = {},
+                              std::stop_token enough = {});
 
 }  // namespace isoscope

@@ -33,10 +33,13 @@ std::vector<glm::dvec3> surfacePoints(const Isosurface& surface, std::span<const
     context.stop = stop;
     const glm::dvec3 low = domain.box().low, extent = domain.box().high - low;
     std::vector<glm::dvec3> points;
-    HitList hits;
-    for (int axis = 0; axis < 3; ++axis)
+    // All rays along an axis together: a search has room for many lines.
+    std::vector<Ray> rays;
+    std::vector<HitList> hits(static_cast<std::size_t>(raysAlong) * static_cast<std::size_t>(raysAlong));
+    for (int axis = 0; axis < 3 && !stop.stop_requested(); ++axis) {
+        rays.clear();
         for (int i = 0; i < raysAlong; ++i)
-            for (int j = 0; j < raysAlong && !stop.stop_requested(); ++j) {
+            for (int j = 0; j < raysAlong; ++j) {
                 // Not in the middle: there symmetric functions have edges and poles.
                 glm::dvec3 share(0);
                 share[(axis + 1) % 3] = (i + 0.47) / raysAlong;
@@ -44,12 +47,13 @@ std::vector<glm::dvec3> surfacePoints(const Isosurface& surface, std::span<const
                 Ray ray{low + share * extent, glm::dvec3(0)};
                 ray.direction[axis] = 1;
                 ray.origin[axis] -= 0.01 * extent[axis];
-                hits.clear();
-                all.intersect(ray, {0, std::numeric_limits<double>::infinity()}, context, hits);
-                for (const Hit& hit : hits)
-                    if (hit.kind == HitKind::crossing || hit.kind == HitKind::gap)
-                        points.push_back(hit.point);
+                rays.push_back(ray);
             }
+        all.allHits(rays, context, hits);
+        for (const HitList& found : hits)
+            for (const Hit& hit : found)
+                if (hit.kind == HitKind::crossing || hit.kind == HitKind::gap) points.push_back(hit.point);
+    }
     if (points.size() <= most) return points;
     std::vector<glm::dvec3> some;
     for (std::size_t i = 0; i < most; ++i) some.push_back(points[i * points.size() / most]);
