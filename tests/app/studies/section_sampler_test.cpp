@@ -113,7 +113,7 @@ class SectionSamplerTest : public QObject {
         QVERIFY(sampleSection(request).slopes.empty());
         request.quantity = SectionQuantity::gradient;
         const SectionField field = sampleSection(request);
-        QVERIFY(field.quantity() == SectionQuantity::gradient);
+        QVERIFY(field.quantity == SectionQuantity::gradient);
         QCOMPARE(field.maxGradient, 2.5);
         QCOMPARE(field.slopes.size(), field.values.size());
         // (2 x, 3, 1 / (2 sqrt(z))) with x from -1 to 1 and z = 1/4.
