@@ -91,7 +91,7 @@ void SectionProfile::refresh() {
                                                         : samples_.values;
         const double length = samples_.length();
         ChartSeries curve{gradient   ? tr("|∇f|")
-                          : distance ? tr("distance to the surface")
+                          : distance ? tr("distance")
                                      : tr("f − threshold"),
                           palette().color(QPalette::Text),
                           ChartSeries::Shape::line,

@@ -104,6 +104,8 @@ void RepairPanel::buildList() {
     room(toWrite, tr("To write") + QStringLiteral("______"));
     room(wrong, QStringLiteral("10 000 (99.9 %)___"));
     room(time, tr("%1 times as long").arg(QStringLiteral("100__")));
+    header->setSectionResizeMode(verdict, QHeaderView::ResizeToContents);
+    header->setStretchLastSection(false);
     connect(list_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* row) {
         const auto index = static_cast<std::size_t>(list_->indexOfTopLevelItem(row));
         if (index < statements_.size()) emit placeRequested(statements_[index].range);
