@@ -105,7 +105,11 @@ QString probeValues(const ProbedPoint& point) {
     if (std::isnan(point.value)) return LinkedProbe::tr("f is undefined");
     // What root finders leave of a zero is none.
     const double value = std::abs(point.value) < 1e-8 * point.slope ? 0 : point.value;
-    return LinkedProbe::tr("f %1, |∇f| %2").arg(numberOf(value), numberOf(point.slope));
+    const QString text = LinkedProbe::tr("f %1, |∇f| %2").arg(numberOf(value), numberOf(point.slope));
+    const double distance = point.distance();
+    constexpr double noticeable = 1e-6;  // root finders leave less
+    return std::abs(distance) > noticeable ? LinkedProbe::tr("%1, distance %2").arg(text, numberOf(distance))
+                                           : text;
 }
 
 }  // namespace isoscope

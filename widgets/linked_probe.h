@@ -47,7 +47,7 @@ class LinkedProbe : public QObject {
     bool hidden() const { return hidden_; }
     /// What was asked for last is known.
     bool upToDate() const { return pending_ == 0; }
-    /// Coordinates, f and |grad f| for the status line; empty without a point.
+    /// Coordinates and probeValues() for the status line; empty without a point.
     QString text() const;
 
   signals:
@@ -81,7 +81,7 @@ class LinkedProbe : public QObject {
 
 /// What marks the probed point in charts and sections, on grounds of this palette.
 QColor probeColor(const QPalette& palette);
-/// "f 0.25, |∇f| 3.2", or that f is undefined there.
+/// "f 0.25, |∇f| 3.2, distance 0.08", without a distance on the surface, or that f is undefined there.
 QString probeValues(const ProbedPoint& point);
 
 }  // namespace isoscope

@@ -37,7 +37,7 @@ ProgressRow::ProgressRow(const Names& names, QWidget* parent)
     row_->addWidget(button_);
 }
 
-void ProgressRow::add(QPushButton* button) { row_->addWidget(button); }
+void ProgressRow::add(QWidget* button) { row_->addWidget(button); }
 
 void ProgressRow::setWorking(bool working, const Button& button) {
     progress_->setVisible(working);

@@ -26,7 +26,7 @@ class ProgressRow : public QWidget {
     explicit ProgressRow(const Names& names, QWidget* parent = nullptr);
 
     /// Behind the others.
-    void add(QPushButton* button);
+    void add(QWidget* button);
     /// The bar is seen while something is `working`; `button` is what it offers now.
     void setWorking(bool working, const Button& button);
     /// From 0 to 1.

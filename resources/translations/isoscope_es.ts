@@ -4143,6 +4143,10 @@
         <source>f %1, |∇f| %2</source>
         <translation>f %1, |∇f| %2</translation>
     </message>
+    <message>
+        <source>%1, distance %2</source>
+        <translation>%1, distancia %2</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::MainWindow</name>
@@ -5739,10 +5743,6 @@ Aquí aparecen números de llamadas a funciones, #declare, threshold, accuracy, 
         <translation>|∇f|</translation>
     </message>
     <message>
-        <source>What the colours show: the function, or how steep it is</source>
-        <translation>Lo que muestran los colores: la función, o lo empinada que es</translation>
-    </message>
-    <message>
         <source>Quantity that is shown</source>
         <translation>Magnitud que se muestra</translation>
     </message>
@@ -5807,24 +5807,24 @@ Aquí aparecen números de llamadas a funciones, #declare, threshold, accuracy, 
         <translation>auto</translation>
     </message>
     <message>
-        <source>What has the full colour, and by whose parts lines are drawn: the values of the function, or the slope; auto: most values, or max_gradient</source>
-        <translation>Lo que tiene el color pleno, y según cuyas partes se trazan líneas: los valores de la función, o la pendiente; auto: la mayoría de los valores, o max_gradient</translation>
-    </message>
-    <message>
         <source>Value with the full colour</source>
         <translation>Valor con el color pleno</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>distancia</translation>
+    </message>
+    <message>
+        <source>What the colours show: the function, how steep it is, or how far the surface is: (f − threshold) ÷ |∇f|, which is right near the surface</source>
+        <translation>Lo que muestran los colores: la función, lo empinada que es, o lo lejos que está la superficie: (f − threshold) ÷ |∇f|, correcto cerca de la superficie</translation>
+    </message>
+    <message>
+        <source>What has the full colour, and by whose parts lines are drawn: the values of the function, the slope or the distance; auto: most values, or max_gradient</source>
+        <translation>Lo que tiene el color pleno, y según cuyas partes se trazan líneas: los valores de la función, la pendiente o la distancia; auto: la mayoría de los valores, o max_gradient</translation>
     </message>
 </context>
 <context>
     <name>isoscope::SectionPanel</name>
-    <message>
-        <source>f − threshold on the plane: blue is inside, orange outside, the bold line is the surface.
-|∇f|: red where it is steeper than max_gradient.
-Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</source>
-        <translation>f − threshold en el plano: azul es dentro, naranja fuera, la línea gruesa es la superficie.
-|∇f|: rojo donde es más empinada que max_gradient.
-Arrastrar para mover, rueda para ampliar, doble clic para ver todo. Rayado: f no está definida.</translation>
-    </message>
     <message>
         <source>Value of the function under the mouse</source>
         <translation>Valor de la función bajo el ratón</translation>
@@ -5897,6 +5897,24 @@ Arrastrar para mover, rueda para ampliar, doble clic para ver todo. Rayado: f no
         <source>%1 cannot be written.</source>
         <translation>No se puede escribir %1.</translation>
     </message>
+    <message>
+        <source>f − threshold on the plane: blue is inside, orange outside, the bold line is the surface.
+|∇f|: red where it is steeper than max_gradient.
+distance: (f − threshold) ÷ |∇f|, how far the surface is, to first order.
+Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</source>
+        <translation>f − threshold en el plano: azul es dentro, naranja fuera, la línea gruesa es la superficie.
+|∇f|: rojo donde es más empinada que max_gradient.
+distancia: (f − threshold) ÷ |∇f|, lo lejos que está la superficie, en primer orden.
+Arrastrar para mover, rueda para ampliar, doble clic para ver todo. Rayado: f no está definida.</translation>
+    </message>
+    <message>
+        <source>distance to the surface %1</source>
+        <translation>distancia a la superficie %1</translation>
+    </message>
+    <message>
+        <source>, distance = %1</source>
+        <translation>, distancia = %1</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::SectionProfile</name>
@@ -5943,6 +5961,14 @@ Arrastrar para mover, rueda para ampliar, doble clic para ver todo. Rayado: f no
     <message>
         <source>%1: f − threshold = %2, |∇f| = %3</source>
         <translation>%1: f − threshold = %2, |∇f| = %3</translation>
+    </message>
+    <message>
+        <source>, distance = %1</source>
+        <translation>, distancia = %1</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>distancia</translation>
     </message>
 </context>
 <context>
@@ -6546,6 +6572,10 @@ Arrastrar para mover, rueda para ampliar, doble clic para ver todo. Rayado: f no
     <message>
         <source>The scene cannot be read for %1 of the values.</source>
         <translation>La escena no se puede leer con %1 de los valores.</translation>
+    </message>
+    <message>
+        <source> values</source>
+        <translation> valores</translation>
     </message>
 </context>
 <context>

@@ -4141,6 +4141,10 @@
         <source>f %1, |∇f| %2</source>
         <translation>f %1, |∇f| %2</translation>
     </message>
+    <message>
+        <source>%1, distance %2</source>
+        <translation>%1, 距離 %2</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::MainWindow</name>
@@ -5735,10 +5739,6 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
         <translation>|∇f|</translation>
     </message>
     <message>
-        <source>What the colours show: the function, or how steep it is</source>
-        <translation>色の内容: 関数、またはその傾き</translation>
-    </message>
-    <message>
         <source>Quantity that is shown</source>
         <translation>表示する量</translation>
     </message>
@@ -5803,24 +5803,24 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
         <translation>自動</translation>
     </message>
     <message>
-        <source>What has the full colour, and by whose parts lines are drawn: the values of the function, or the slope; auto: most values, or max_gradient</source>
-        <translation>最も濃い色になる値で、線はその分割ごとに引かれる: 関数の値または傾き。自動: 大部分の値、または max_gradient</translation>
-    </message>
-    <message>
         <source>Value with the full colour</source>
         <translation>最も濃い色の値</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>距離</translation>
+    </message>
+    <message>
+        <source>What the colours show: the function, how steep it is, or how far the surface is: (f − threshold) ÷ |∇f|, which is right near the surface</source>
+        <translation>色の内容: 関数、その傾き、または曲面までの距離: (f − threshold) ÷ |∇f|。曲面の近くで正しい</translation>
+    </message>
+    <message>
+        <source>What has the full colour, and by whose parts lines are drawn: the values of the function, the slope or the distance; auto: most values, or max_gradient</source>
+        <translation>最も濃い色になる値で、線はその分割ごとに引かれる: 関数の値、傾き、または距離。自動: 大部分の値、または max_gradient</translation>
     </message>
 </context>
 <context>
     <name>isoscope::SectionPanel</name>
-    <message>
-        <source>f − threshold on the plane: blue is inside, orange outside, the bold line is the surface.
-|∇f|: red where it is steeper than max_gradient.
-Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</source>
-        <translation>平面上の f − threshold: 青は内側、橙は外側、太線は曲面。
-|∇f|: max_gradient より急な所は赤。
-ドラッグで移動、ホイールでズーム、ダブルクリックで全体。斜線: f が未定義。</translation>
-    </message>
     <message>
         <source>Value of the function under the mouse</source>
         <translation>マウス位置の関数の値</translation>
@@ -5893,6 +5893,24 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
         <source>%1 cannot be written.</source>
         <translation>%1 に書き込めません。</translation>
     </message>
+    <message>
+        <source>f − threshold on the plane: blue is inside, orange outside, the bold line is the surface.
+|∇f|: red where it is steeper than max_gradient.
+distance: (f − threshold) ÷ |∇f|, how far the surface is, to first order.
+Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</source>
+        <translation>平面上の f − threshold: 青は内側、橙は外側、太線は曲面。
+|∇f|: max_gradient より急な所は赤。
+距離: (f − threshold) ÷ |∇f|。曲面までの一次近似の距離。
+ドラッグで移動、ホイールでズーム、ダブルクリックで全体。斜線: f が未定義。</translation>
+    </message>
+    <message>
+        <source>distance to the surface %1</source>
+        <translation>曲面までの距離 %1</translation>
+    </message>
+    <message>
+        <source>, distance = %1</source>
+        <translation>, 距離 = %1</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::SectionProfile</name>
@@ -5939,6 +5957,14 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
     <message>
         <source>%1: f − threshold = %2, |∇f| = %3</source>
         <translation>%1: f − threshold = %2, |∇f| = %3</translation>
+    </message>
+    <message>
+        <source>, distance = %1</source>
+        <translation>, 距離 = %1</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>距離</translation>
     </message>
 </context>
 <context>
@@ -6542,6 +6568,10 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
     <message>
         <source>The scene cannot be read for %1 of the values.</source>
         <translation>%1 個の値ではシーンを読めません。</translation>
+    </message>
+    <message>
+        <source> values</source>
+        <translation> 個</translation>
     </message>
 </context>
 <context>

@@ -4145,6 +4145,10 @@
         <source>f %1, |∇f| %2</source>
         <translation>f %1, |∇f| %2</translation>
     </message>
+    <message>
+        <source>%1, distance %2</source>
+        <translation>%1, расстояние %2</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::MainWindow</name>
@@ -5743,10 +5747,6 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
         <translation>|∇f|</translation>
     </message>
     <message>
-        <source>What the colours show: the function, or how steep it is</source>
-        <translation>Что показывают цвета: функцию или её крутизну</translation>
-    </message>
-    <message>
         <source>Quantity that is shown</source>
         <translation>Показанная величина</translation>
     </message>
@@ -5811,24 +5811,24 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
         <translation>авто</translation>
     </message>
     <message>
-        <source>What has the full colour, and by whose parts lines are drawn: the values of the function, or the slope; auto: most values, or max_gradient</source>
-        <translation>Чему соответствует полный цвет и по долям чего проводятся линии: значения функции или крутизна; авто: большинство значений или max_gradient</translation>
-    </message>
-    <message>
         <source>Value with the full colour</source>
         <translation>Значение с полным цветом</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>расстояние</translation>
+    </message>
+    <message>
+        <source>What the colours show: the function, how steep it is, or how far the surface is: (f − threshold) ÷ |∇f|, which is right near the surface</source>
+        <translation>Что показывают цвета: функцию, её крутизну или расстояние до поверхности: (f − threshold) ÷ |∇f|, верное вблизи поверхности</translation>
+    </message>
+    <message>
+        <source>What has the full colour, and by whose parts lines are drawn: the values of the function, the slope or the distance; auto: most values, or max_gradient</source>
+        <translation>Чему соответствует полный цвет и по долям чего проводятся линии: значения функции, крутизна или расстояние; авто: большинство значений или max_gradient</translation>
     </message>
 </context>
 <context>
     <name>isoscope::SectionPanel</name>
-    <message>
-        <source>f − threshold on the plane: blue is inside, orange outside, the bold line is the surface.
-|∇f|: red where it is steeper than max_gradient.
-Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</source>
-        <translation>f − threshold на плоскости: синее внутри, оранжевое снаружи, жирная линия — поверхность.
-|∇f|: красное там, где круче max_gradient.
-Тянуть — сдвиг, колесо — масштаб, двойной щелчок — всё целиком. Штриховка: f не определена.</translation>
-    </message>
     <message>
         <source>Value of the function under the mouse</source>
         <translation>Значение функции под мышью</translation>
@@ -5901,6 +5901,24 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
         <source>%1 cannot be written.</source>
         <translation>Не удаётся записать %1.</translation>
     </message>
+    <message>
+        <source>f − threshold on the plane: blue is inside, orange outside, the bold line is the surface.
+|∇f|: red where it is steeper than max_gradient.
+distance: (f − threshold) ÷ |∇f|, how far the surface is, to first order.
+Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</source>
+        <translation>f − threshold на плоскости: синее внутри, оранжевое снаружи, жирная линия — поверхность.
+|∇f|: красное там, где круче max_gradient.
+расстояние: (f − threshold) ÷ |∇f|, расстояние до поверхности в первом приближении.
+Тянуть — сдвиг, колесо — масштаб, двойной щелчок — всё целиком. Штриховка: f не определена.</translation>
+    </message>
+    <message>
+        <source>distance to the surface %1</source>
+        <translation>расстояние до поверхности %1</translation>
+    </message>
+    <message>
+        <source>, distance = %1</source>
+        <translation>, расстояние = %1</translation>
+    </message>
 </context>
 <context>
     <name>isoscope::SectionProfile</name>
@@ -5947,6 +5965,14 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
     <message>
         <source>%1: f − threshold = %2, |∇f| = %3</source>
         <translation>%1: f − threshold = %2, |∇f| = %3</translation>
+    </message>
+    <message>
+        <source>, distance = %1</source>
+        <translation>, расстояние = %1</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>расстояние</translation>
     </message>
 </context>
 <context>
@@ -6550,6 +6576,10 @@ Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined.</
     <message>
         <source>The scene cannot be read for %1 of the values.</source>
         <translation>При %1 из значений сцену нельзя прочитать.</translation>
+    </message>
+    <message>
+        <source> values</source>
+        <translation> знач.</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <bit>
+#include <cstdlib>
 #include <QAction>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QRandomGenerator>
 #include <QSlider>
 #include <QtTest>
@@ -12,6 +15,11 @@
 #include "widgets/parameters/parameter_slider.h"
 #include "widgets/section/section_panel.h"
 #include "widgets/viewport/viewport.h"
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#include <unistd.h>
+#endif
 
 using namespace isoscope;
 using namespace isoscope::test;
@@ -27,6 +35,18 @@ int soakSeconds() {
 quint32 soakSeed() {
     const int asked = qEnvironmentVariableIntValue("ISOSCOPE_SOAK_SEED");
     return asked > 0 ? static_cast<quint32>(asked) : QRandomGenerator::global()->generate() & 0x7fffffff;
+}
+
+/// What the process takes, in MB, without what it has freed; 0 where that is not told.
+double memory() {
+#if defined(__GLIBC__)
+    malloc_trim(0);
+    QFile pages(QStringLiteral("/proc/self/statm"));
+    if (pages.open(QIODevice::ReadOnly))
+        return pages.readAll().split(' ').value(1).toDouble() * static_cast<double>(sysconf(_SC_PAGESIZE)) /
+               1e6;
+#endif
+    return 0;
 }
 
 }  // namespace
@@ -117,20 +137,27 @@ class SoakTest : public QObject {
         driver_ = std::make_unique<WindowDriver>();
         QElapsedTimer since;
         since.start();
-        int steps = 0;
+        int steps = 0, rounds = 0;
         qint64 slowest = 0;
+        std::vector<double> taken;  // once per minute
         while (!since.hasExpired(soakSeconds() * 1000)) {
             const qint64 before = since.elapsed();
             step();
             slowest = std::max(slowest, since.elapsed() - before);
-            // Now and then the window is closed in the middle of everything, and a good text comes back.
-            if (++steps % 60 == 0) {
-                driver_->restart();
-                (*driver_)->showTutorial();
-            }
+            if (++steps % 60 != 0) continue;
+            // The window is closed in the middle of everything, each later than the one before: what a
+            // window gathers is seen.
+            if (std::has_single_bit(static_cast<unsigned>(++rounds))) driver_->restart();
+            (*driver_)->showTutorial();
+            if (since.elapsed() < 60000 * static_cast<qint64>(taken.size() + 1)) continue;
+            QVERIFY(driver_->rests(60000));
+            taken.push_back(memory());
+            qInfo("minute %zu, %d steps: %.1f MB", taken.size(), steps, taken.back());
         }
         qInfo("%d steps, the slowest took %lld ms", steps, slowest);
         QVERIFY(steps > 0);
+        // Eight hours of use, at the pace of a person. The first minute fills what is kept on purpose.
+        if (taken.size() >= 9) QVERIFY2(taken.back() - taken.front() < 20, "memory grows");
         // Still usable: a good text gives a picture.
         (*driver_)->showTutorial();
         QVERIFY(driver_->rests(60000));

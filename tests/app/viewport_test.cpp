@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "core/language/parse.h"
+#include "widgets/timing.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/viewport_panel.h"
 
@@ -168,6 +169,45 @@ class ViewportTest : public QObject {
         QTRY_VERIFY(viewport.finished());
         QCOMPARE(viewport.picture().size(),
                  (QSizeF(viewport.size()) * viewport.devicePixelRatioF()).toSize());
+    }
+
+    /// A mark that comes and goes with every quick picture would only flicker. Of a new document, whose first
+    /// picture takes long, there was none once.
+    void theBusyMarkIsThatOfLongWorkAlone() {
+        Viewport viewport;
+        viewport.resize(320, 240);
+        viewport.show();
+        const auto painted = [&] {
+            const QRgb mark = viewport.palette().color(QPalette::Highlight).rgb();
+            const QImage corner = viewport.grab({viewport.width() - 30, 8, 24, 24}).toImage();
+            for (int y = 0; y < corner.height(); ++y)
+                for (int x = 0; x < corner.width(); ++x)
+                    if (corner.pixel(x, y) == mark) return true;
+            return false;
+        };
+        // Begun before the work, so that it is never behind the viewport's own clock.
+        QElapsedTimer since;
+        for (int i = 0; i < 5; ++i) {
+            since.start();
+            viewport.setScene(sphere());
+            const bool mark = viewport.busyMarkShown() || painted();
+            QVERIFY(!mark || since.elapsed() > timing::busyMarkDelay);
+            QTRY_VERIFY(viewport.finished());
+            QVERIFY(!viewport.busyMarkShown() && !painted());
+        }
+        viewport.clear();
+        // 1600 rays of shadow a pixel.
+        const auto slow = sphere(
+            "light_source { 9 rgb 1 area_light 4*x, 4*y, 40, 40 } plane { y, -1 pigment { rgb 1 } }\n");
+        since.start();
+        viewport.setScene(slow);
+        const bool mark = viewport.busyMarkShown() || painted();
+        QVERIFY(!mark || since.elapsed() > timing::busyMarkDelay);
+        QTRY_VERIFY(viewport.busyMarkShown());
+        QVERIFY(painted() && !viewport.finished());
+        viewport.stop();
+        QTRY_VERIFY(viewport.finished());
+        QVERIFY(!viewport.busyMarkShown() && !painted());
     }
 
     void statusLineTellsTheCost() {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
 #include <QClipboard>
+#include <QDockWidget>
 #include <QLineEdit>
+#include <QPointer>
+#include <QSpinBox>
 #include <QTreeWidget>
 #include <QtTest>
 
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/window/actions.h"
+#include "app/desktop/window/docks.h"
 #include "core/language/directives/library_paths.h"
 #include "tests/app/window_driver.h"
 #include "widgets/editor/empty_text_hint.h"
@@ -179,6 +183,54 @@ class WindowStatesTest : public QObject {
         QCOMPARE(field->text(), QString());
         QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("Radius"));
         QCOMPARE(d->editor()->sceneText(), text);
+    }
+
+    /// Whatever is typed, and wherever: mistakes are told in the window itself.
+    void nothingTypedOpensAModalBox() {
+        WindowDriver& d = *driver_;
+        QString opened;
+        QTimer watch;
+        connect(&watch, &QTimer::timeout, this, [&] {
+            QWidget* box = QApplication::activeModalWidget();
+            if (!box) return;
+            opened += box->windowTitle() + ' ' + box->metaObject()->className();
+            box->close();
+        });
+        watch.start(0);
+        d->editor()->setFocus();
+        for (const char* nonsense :
+             {"}}{ #if (", "isosurface { function { f_tours(x) 1/0 } max_gradient 1e999 }",
+              "#include \"none.inc\"", "#declare x = \"", "#end #end ~?", "#fopen f \"/etc/passwd\" write"}) {
+            d.typeBehind({}, QString::fromLatin1(nonsense));
+            QTest::keyClick(d->editor()->viewport(), Qt::Key_Return);
+            QVERIFY(d.rests(60000));
+        }
+        d->showTutorial();
+        QVERIFY(d.rests(60000));
+        for (QDockWidget* dock : d->docks()->all()) d->docks()->bringUp(dock);
+        d->actions()->find->trigger();
+        int boxes = 0, fields = 0;
+        const auto type = [&](QWidget* field, const char* text) {
+            field->setFocus();
+            QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+            QTest::keyClicks(field, QString::fromLatin1(text));
+            QTest::keyClick(field, Qt::Key_Return);
+        };
+        // What is typed may take its own field away.
+        QList<QPointer<QWidget>> all;
+        for (auto* box : d->findChildren<QAbstractSpinBox*>()) all << box;
+        for (auto* field : d->findChildren<QLineEdit*>())
+            if (!qobject_cast<QAbstractSpinBox*>(field->parentWidget())) all << field;
+        for (const QPointer<QWidget>& one : all)
+            for (const char* wrong : {"abc", "-1e99", "1/0", "nan", "../no/such.name", ""}) {
+                if (!one || !one->isEnabled()) break;
+                qobject_cast<QAbstractSpinBox*>(one) ? ++boxes : ++fields;
+                type(one, wrong);
+            }
+        QVERIFY(d.rests(60000));
+        QVERIFY2(boxes > 100 && fields > 10, qPrintable(QString("%1 %2").arg(boxes).arg(fields)));
+        QVERIFY2(opened.isEmpty(), qPrintable(opened));
+        QVERIFY(!QApplication::activeModalWidget());
     }
 
     void pressedKeysReachTheField() {

@@ -126,6 +126,17 @@ class DerivativeTextTest : public QObject {
         QVERIFY(std::abs(std::hypot(at.gradient[0], at.gradient[1], at.gradient[2]) - 1) < 1e-12);
     }
 
+    /// A bug once: a derivative of 0 was called by name, as in f(x, y, z) - f_dz(x, y, z).
+    void numbersAndVariablesAreWrittenAsSuch() {
+        QCOMPARE(derivativeText(*isosurfaceOf("y"), {}).declarations,
+                 std::string("#declare f = function(x, y, z) { y }\n"
+                             "#declare f_dx = function(x, y, z) { 0 }\n"
+                             "#declare f_dy = function(x, y, z) { 1 }\n"
+                             "#declare f_dz = function(x, y, z) { 0 }\n"
+                             "#declare f_gradient = function(x, y, z) { 1 }\n"
+                             "#declare f_normalised = function(x, y, z) { (y/1) }\n"));
+    }
+
     /// Long parts are written once: the text of a product of many factors stays short.
     void whatIsSharedIsWrittenOnce() {
         std::string product = "1";

@@ -8,6 +8,7 @@
 
 #include "tests/widgets/gui_events.h"
 #include "widgets/editor/diagnostic_marks.h"
+#include "widgets/editor/editor_grounds.h"
 #include "widgets/editor/scene_lexer.h"
 #include "widgets/editor/text_search.h"
 #include "widgets/numbers/number_marks.h"
@@ -468,6 +469,34 @@ class SceneEditorTest : public QObject {
         QCOMPARE(editor_->grab().toImage().pixelColor(500, 300), SceneLexer::paperColor(Look::dark));
         editor_->applyTheme(Look::light);
         QCOMPARE(editor_->grab().toImage().pixelColor(500, 300), SceneLexer::paperColor(Look::light));
+    }
+
+    void theBraceAtTheCaretAndItsPartnerAreMarked() {
+        const QByteArray text = "union { /* } */ sphere { <0, 0, 0>, (1 + 2) } } }\n";
+        load(QString::fromUtf8(text));
+        editor_->applyTheme(Look::light);
+        // The characters that have this ground.
+        const auto marked = [&](const QColor& ground) {
+            const QImage image = editor_->grab().toImage();
+            QList<int> found;
+            for (int i = 0; i < text.size() - 1; ++i) {
+                const QPoint at = editor_->viewport()->mapTo(editor_.get(), pointAt(*editor_, i));
+                for (int y = 0; y < editor_->textHeight(0) && (found.isEmpty() || found.last() != i); ++y)
+                    if (image.pixelColor(at.x(), at.y() - 4 + y) == ground) found << i;
+            }
+            return found;
+        };
+        const EditorGrounds& grounds = editorGrounds(Look::light);
+        const int outer = static_cast<int>(text.indexOf('{')), inner = static_cast<int>(text.indexOf('(')),
+                  last = static_cast<int>(text.lastIndexOf('}'));
+        setCaret(outer);
+        QTRY_COMPARE(marked(grounds.brace), QList<int>({outer, last - 2}));  // not that of the comment
+        setCaret(inner);
+        QTRY_COMPARE(marked(grounds.brace), QList<int>({inner, static_cast<int>(text.indexOf(')'))}));
+        setCaret(last);
+        QTRY_COMPARE(marked(grounds.loneBrace), QList<int>({last}));
+        setCaret(2);
+        QTRY_VERIFY(marked(grounds.brace).isEmpty() && marked(grounds.loneBrace).isEmpty());
     }
 
     void wheelZoomsWithControl() {

@@ -5,10 +5,9 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 
-#include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/tape/loop_stop.h"
+#include "core/study/view/surface_distance.h"
 
 namespace isoscope {
 
@@ -46,11 +45,9 @@ LineSamples sampleLine(const LineRequest& request, std::stop_token stop) {
     const double threshold = request.surface->settings().threshold;
     line.maxGradient = request.surface->rootSettings().maxGradient;
     for (const ValueAndGradient& at : found) {
-        const double slope = std::hypot(at.gradient[0], at.gradient[1], at.gradient[2]);
         line.values.push_back(at.value - threshold);
-        line.slopes.push_back(std::isnan(at.value) ? std::numeric_limits<double>::quiet_NaN()
-                              : slope >= GradientEvaluator::steepest ? std::numeric_limits<double>::infinity()
-                                                                     : slope);
+        line.slopes.push_back(slopeOf(at));
+        line.distances.push_back(surfaceDistance(line.values.back(), line.slopes.back()));
     }
     return line;
 }

@@ -17,12 +17,13 @@ struct LineRequest {
     int samples = 1024;  ///< at least 2
 };
 
-/// f - threshold and |grad f| at evenly spread places, both ends included.
+/// f - threshold, |grad f| and surfaceDistance() at evenly spread places, both ends included.
 struct LineSamples {
     glm::dvec3 from{0}, to{0};
     std::vector<double> values;  ///< NaN where f is undefined
     std::vector<double> slopes;  ///< NaN where f is undefined, infinite where it is infinitely steep
-    double maxGradient = 1;      ///< the setting in force
+    std::vector<double> distances;
+    double maxGradient = 1;  ///< the setting in force
 
     /// Whether nothing was sampled.
     bool empty() const { return values.empty(); }

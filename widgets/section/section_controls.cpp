@@ -105,16 +105,20 @@ QWidget* SectionControls::buildShownRow() {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
     quantity_ = new QComboBox;
-    quantity_->addItems({tr("f − threshold"), tr("|∇f|")});
-    quantity_->setToolTip(tr("What the colours show: the function, or how steep it is"));
+    quantity_->addItems({tr("f − threshold"), tr("|∇f|"), tr("distance")});
+    quantity_->setToolTip(
+        tr("What the colours show: the function, how steep it is, or how far the surface is: "
+           "(f − threshold) ÷ |∇f|, which is right near the surface"));
     quantity_->setAccessibleName(tr("Quantity that is shown"));
     connect(quantity_, &QComboBox::currentIndexChanged, this, &SectionControls::quantityChanged);
     row->addWidget(quantity_);
     row->addWidget(buildBand());
-    // A value of the function is none of its slope.
-    connect(quantity_, &QComboBox::currentIndexChanged, band_, [this](int index) {
-        band_->setPrefix(index == 0 ? QStringLiteral("±") : QString());
+    connect(quantity_, &QComboBox::currentIndexChanged, band_, [this] {
+        // A value of the function is none of its slope.
+        band_->setPrefix(quantity() == SectionQuantity::gradient ? QString() : QStringLiteral("±"));
         band_->setValue(0);
+        // What a distance is told by.
+        if (quantity() == SectionQuantity::distance) lines_->setChecked(true);
     });
     lines_ = toggle(tr("Lines"), tr("Thin lines of equal value"), tr("Show lines of equal value"));
     connect(lines_, &QToolButton::toggled, this, &SectionControls::linesToggled);
@@ -141,8 +145,8 @@ QDoubleSpinBox* SectionControls::buildBand() {
     band_->setMaximumWidth(fontMetrics().horizontalAdvance(QStringLiteral("±100.0000")) +
                            3 * fontMetrics().height());
     band_->setToolTip(
-        tr("What has the full colour, and by whose parts lines are drawn: the values of the function, or "
-           "the slope; auto: most values, or max_gradient"));
+        tr("What has the full colour, and by whose parts lines are drawn: the values of the function, "
+           "the slope or the distance; auto: most values, or max_gradient"));
     band_->setAccessibleName(tr("Value with the full colour"));
     connect(band_, &QDoubleSpinBox::valueChanged, this, &SectionControls::bandChanged);
     return band_;
@@ -365,11 +369,11 @@ void SectionControls::setPosition(double position) {
 }
 
 SectionQuantity SectionControls::quantity() const {
-    return quantity_->currentIndex() == 1 ? SectionQuantity::gradient : SectionQuantity::value;
+    return static_cast<SectionQuantity>(quantity_->currentIndex());
 }
 
 void SectionControls::setQuantity(SectionQuantity quantity) {
-    quantity_->setCurrentIndex(quantity == SectionQuantity::gradient ? 1 : 0);
+    quantity_->setCurrentIndex(static_cast<int>(quantity));
 }
 
 void SectionControls::setProfileChosen(bool chosen) { line_->setChecked(chosen); }

@@ -10,9 +10,10 @@
 namespace isoscope {
 
 QString sectionTable(const SectionField& field) {
-    const bool slopes = !field.slopes.empty();
-    std::string text = csvLine(slopes ? std::vector<std::string>{"x", "y", "z", "value", "gradient"}
-                                      : std::vector<std::string>{"x", "y", "z", "value"});
+    std::vector<std::string> names{"x", "y", "z", "value"};
+    if (!field.slopes.empty()) names.emplace_back("gradient");
+    if (!field.distances.empty()) names.emplace_back("distance");
+    std::string text = csvLine(names);
     for (std::size_t i = 0; i < field.values.size(); ++i) {
         if (!field.contained[i]) continue;
         const auto column = static_cast<double>(i % static_cast<std::size_t>(field.columns)),
@@ -22,7 +23,8 @@ QString sectionTable(const SectionField& field) {
                            field.bottom + (field.top - field.bottom) * row / (field.rows - 1));
         std::vector<std::string> fields{exactNumber(p.x), exactNumber(p.y), exactNumber(p.z),
                                         exactNumber(static_cast<double>(field.values[i]))};
-        if (slopes) fields.push_back(exactNumber(static_cast<double>(field.slopes[i])));
+        for (const std::vector<float>* more : {&field.slopes, &field.distances})
+            if (!more->empty()) fields.push_back(exactNumber(static_cast<double>((*more)[i])));
         text += csvLine(fields);
     }
     return QString::fromStdString(text);

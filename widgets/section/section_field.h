@@ -11,7 +11,7 @@
 namespace isoscope {
 
 /// What the colours of a section mean.
-enum class SectionQuantity { value, gradient };
+enum class SectionQuantity { value, gradient, distance };
 
 /// f - threshold on a plane, row by row from the bottom left. Samples sit on the edges of the rectangle as
 /// well.
@@ -20,26 +20,31 @@ struct SectionField {
     int columns = 0;
     int rows = 0;
     double left = -1, right = 1, bottom = -1, top = 1;
-    std::vector<float> values;  ///< NaN where f is undefined, infinite where f is
-    std::vector<float> slopes;  ///< |grad f| at the same places, infinite ones too; empty unless asked for
-    double maxGradient = 1;     ///< the setting in force
-    double steepest = 0;        ///< largest finite slope in the container
-    std::vector<std::uint8_t> contained;  ///< 1 inside the container
+    std::vector<float> values;     ///< NaN where f is undefined, infinite where f is
+    std::vector<float> slopes;     ///< |grad f| at the same places, infinite ones too; empty for the value
+    std::vector<float> distances;  ///< surfaceDistance() at the same places; empty unless asked for
+    SectionQuantity quantity = SectionQuantity::value;  ///< what is shown as colours
+    double maxGradient = 1;                             ///< the setting in force
+    double steepest = 0;                                ///< largest finite slope in the container
+    std::vector<std::uint8_t> contained;                ///< 1 inside the container
     Container container;
-    double extent = 1;       ///< nine tenths of the finite values lie within +-extent; a round number above 0
-    bool undefined = false;  ///< NaN occurs inside the container
+    double extent = 1;  ///< nine tenths of the finite values lie within +-extent; a round number above 0
+    double distanceExtent = 1;  ///< the same of the distances
+    bool undefined = false;     ///< NaN occurs inside the container
     double milliseconds = 0;
 
     /// Whether nothing was sampled.
     bool empty() const { return values.empty(); }
-    /// What is shown as colours: the gradient when slopes were asked for, else the value.
-    SectionQuantity quantity() const {
-        return slopes.empty() ? SectionQuantity::value : SectionQuantity::gradient;
+    /// Those of the quantity.
+    const std::vector<float>& heights() const {
+        return quantity == SectionQuantity::value      ? values
+               : quantity == SectionQuantity::gradient ? slopes
+                                                       : distances;
     }
 };
 
-/// x, y, z, f - threshold and, where there are any, slopes of all samples in the container, as comma
-/// separated values with a header.
+/// x, y, z, f - threshold and, where there are any, slopes and distances of all samples in the container, as
+/// comma separated values with a header.
 QString sectionTable(const SectionField& field);
 
 /// What to call a plane's own coordinates.

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/study/view/point_probe.h"
+#include "core/study/view/surface_distance.h"
 #include "widgets/charts/chart_saver.h"
 #include "widgets/charts/chart_view.h"
 #include "widgets/document/save_path.h"
@@ -79,6 +80,7 @@ void SectionPanel::buildPlots() {
     view_->setToolTip(
         tr("f − threshold on the plane: blue is inside, orange outside, the bold line is the surface.\n"
            "|∇f|: red where it is steeper than max_gradient.\n"
+           "distance: (f − threshold) ÷ |∇f|, how far the surface is, to first order.\n"
            "Drag to move, wheel to zoom, double-click to see all. Hatched: f is undefined."));
     side_ = new QWidget;
     auto* side = new QVBoxLayout(side_);
@@ -206,9 +208,7 @@ void SectionPanel::showProbe(const ProbedPoint* point) {
     view_->showProbe(place);
     profile_->showProbe(place);
     if (!place || !view_->hovering() || point->isosurface != subjectNumber()) return;
-    const bool gradient = view_->field().quantity() == SectionQuantity::gradient;
-    tellValue(point->place, point->value - point->threshold,
-              gradient ? std::optional<double>(point->slope) : std::nullopt);
+    tellValue(point->place, point->value - point->threshold, point->slope);
 }
 
 bool SectionPanel::eventFilter(QObject* watched, QEvent* event) {
@@ -352,10 +352,11 @@ void SectionPanel::describePlane() {
         cut.isFree()
             ? tr("through %1 across %2").arg(pointText(cut.middle(field.container)), pointText(cut.normal()))
             : tr("at %1 = %2").arg(axisName(cut.axis()), shortNumber(cut.position()));
-    const bool gradient = field.quantity() == SectionQuantity::gradient;
-    QString text = gradient ? tr("|∇f| %1; up to %2 here, max_gradient is %3")
-                                  .arg(where, shortNumber(field.steepest), shortNumber(field.maxGradient))
-                            : tr("f − threshold %1").arg(where);
+    QString text = tr("f − threshold %1").arg(where);
+    if (field.quantity == SectionQuantity::gradient)
+        text = tr("|∇f| %1; up to %2 here, max_gradient is %3")
+                   .arg(where, shortNumber(field.steepest), shortNumber(field.maxGradient));
+    if (field.quantity == SectionQuantity::distance) text = tr("distance to the surface %1").arg(where);
     if (field.undefined) text += tr("; hatched where f is undefined");
     readout_->setText(text);
 }
@@ -364,9 +365,8 @@ void SectionPanel::describe(double horizontal, double vertical, std::size_t inde
     const SectionField& field = view_->field();
     const glm::dvec3 place = field.plane.at(horizontal, vertical);
     // The nearest sample, until the place itself is known.
-    const bool gradient = field.quantity() == SectionQuantity::gradient;
     tellValue(place, field.values[index],
-              gradient ? std::optional<double>(field.slopes[index]) : std::nullopt);
+              field.slopes.empty() ? std::nullopt : std::optional<double>(field.slopes[index]));
     probe(place);
 }
 
@@ -375,7 +375,10 @@ void SectionPanel::tellValue(const glm::dvec3& place, double value, std::optiona
         return std::isnan(number) ? tr("undefined") : QString::number(number, 'g', 5);
     };
     QString all = tr("%1: f − threshold = %2").arg(pointText(place), text(value));
-    if (slope) all += tr(", |∇f| = %1").arg(text(*slope));
+    const SectionQuantity shown = view_->field().quantity;
+    if (slope && shown != SectionQuantity::value) all += tr(", |∇f| = %1").arg(text(*slope));
+    if (slope && shown == SectionQuantity::distance)
+        all += tr(", distance = %1").arg(text(surfaceDistance(value, *slope)));
     readout_->setText(all);
     view_->setAccessibleDescription(all);
 }

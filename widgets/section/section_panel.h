@@ -79,7 +79,8 @@ class SectionPanel : public StudyPanel {
     void unmarkPlace();
     /// Nothing is being sampled or waits to be drawn.
     bool upToDate() const;
-    /// x, y, z, f - threshold and, where they are shown, slopes of all samples, as comma separated values.
+    /// x, y, z, f - threshold and, where they are shown, slopes and distances of all samples, as comma
+    /// separated values.
     QString table() const;
 
   signals:

@@ -83,11 +83,16 @@ void SectionProfile::refresh() {
     chart.legend = false;
     if (!samples_.empty()) {
         const bool gradient = quantity_ == SectionQuantity::gradient;
+        const bool distance = quantity_ == SectionQuantity::distance;
         const Look look = lookOf(palette());
         const QColor blue = lookColor(look, 0x215eb7, 0x4a94f5), orange = lookColor(look, 0xc85c0a, 0xe8832a);
-        const std::vector<double>& heights = gradient ? samples_.slopes : samples_.values;
+        const std::vector<double>& heights = gradient   ? samples_.slopes
+                                             : distance ? samples_.distances
+                                                        : samples_.values;
         const double length = samples_.length();
-        ChartSeries curve{gradient ? tr("|∇f|") : tr("f − threshold"),
+        ChartSeries curve{gradient   ? tr("|∇f|")
+                          : distance ? tr("distance")
+                                     : tr("f − threshold"),
                           palette().color(QPalette::Text),
                           ChartSeries::Shape::line,
                           {},
@@ -97,7 +102,8 @@ void SectionProfile::refresh() {
         for (std::size_t i = 0; i < heights.size(); ++i) {
             curve.points.push_back(
                 {length * static_cast<double>(i) / static_cast<double>(heights.size() - 1), heights[i]});
-            shown.push_back(heights[i]);
+            // Where f is nearly flat the distance means nothing, however large it is.
+            shown.push_back(distance ? std::clamp(heights[i], -length, length) : heights[i]);
         }
         // The threshold, or the setting that slopes are measured by.
         const double level = gradient ? samples_.maxGradient : 0;
@@ -143,9 +149,12 @@ void SectionProfile::describe(std::optional<double> share) {
     const auto text = [](double value) {
         return std::isnan(value) ? tr("undefined") : QString::number(value, 'g', 5);
     };
-    readout_->setText(
+    QString all =
         tr("%1: f − threshold = %2, |∇f| = %3")
-            .arg(point(samples_.at(*share)), text(samples_.values[index]), text(samples_.slopes[index])));
+            .arg(point(samples_.at(*share)), text(samples_.values[index]), text(samples_.slopes[index]));
+    if (quantity_ == SectionQuantity::distance)
+        all += tr(", distance = %1").arg(text(samples_.distances[index]));
+    readout_->setText(all);
 }
 
 void SectionProfile::changeEvent(QEvent* event) {

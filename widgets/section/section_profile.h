@@ -14,8 +14,8 @@ namespace isoscope {
 
 class ChartView;
 
-/// The function, or its slope, along a line: a chart over the distance from the line's beginning, sampled in
-/// the background.
+/// The function, its slope or the distance to its surface along a line: a chart over the distance from the
+/// line's beginning, sampled in the background.
 class SectionProfile : public QWidget {
     Q_OBJECT
   public:

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "core/evaluate/point_evaluator.h"
-#include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/tape/loop_stop.h"
+#include "core/study/view/surface_distance.h"
 
 namespace isoscope {
 
@@ -37,11 +36,12 @@ class InContainer {
     Bounds bounds_;
 };
 
-double typicalExtent(const SectionField& field) {
+/// Of values at the places of the field.
+double typicalExtent(const SectionField& field, const std::vector<float>& values) {
     std::vector<float> sizes;
-    sizes.reserve(field.values.size());
-    for (std::size_t i = 0; i < field.values.size(); ++i)
-        if (field.contained[i] && std::isfinite(field.values[i])) sizes.push_back(std::abs(field.values[i]));
+    sizes.reserve(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (field.contained[i] && std::isfinite(values[i])) sizes.push_back(std::abs(values[i]));
     if (sizes.empty()) return 1;
     const auto ninth = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
     std::nth_element(sizes.begin(), ninth, sizes.end());
@@ -56,12 +56,7 @@ class SlopeSampler {
 
     void sample(const std::array<std::vector<double>, 3>& points, float* out) {
         evaluator_.evaluate(points[0], points[1], points[2], found_);
-        for (const ValueAndGradient& at : found_) {
-            const double length = std::hypot(at.gradient[0], at.gradient[1], at.gradient[2]);
-            *out++ = std::isnan(at.value)                    ? std::numeric_limits<float>::quiet_NaN()
-                     : length >= GradientEvaluator::steepest ? std::numeric_limits<float>::infinity()
-                                                             : static_cast<float>(length);
-        }
+        for (const ValueAndGradient& at : found_) *out++ = static_cast<float>(slopeOf(at));
     }
 
   private:
@@ -84,7 +79,7 @@ bool fill(const SectionRequest& request, SectionField& field, std::stop_token st
     std::vector<double> values(columns);
     const InContainer inside(field.container);
     std::optional<SlopeSampler> slopes;
-    if (request.quantity == SectionQuantity::gradient) slopes.emplace(request, columns);
+    if (!field.slopes.empty()) slopes.emplace(request, columns);
     for (int row = 0; row < field.rows; ++row) {
         if (stop.stop_requested()) return false;
         const double height = field.bottom + (field.top - field.bottom) * row / (field.rows - 1);
@@ -97,6 +92,9 @@ bool fill(const SectionRequest& request, SectionField& field, std::stop_token st
         for (std::size_t i = 0; i < columns; ++i) {
             const std::size_t at = static_cast<std::size_t>(row) * columns + i;
             field.values[at] = static_cast<float>(values[i] - threshold);
+            if (!field.distances.empty())
+                field.distances[at] =
+                    static_cast<float>(surfaceDistance(values[i] - threshold, field.slopes[at]));
             field.contained[at] = inside({points[0][i], points[1][i], points[2][i]});
             if (field.contained[at] && std::isnan(field.values[at])) field.undefined = true;
         }
@@ -127,10 +125,13 @@ SectionField sampleSection(const SectionRequest& request, std::stop_token stop) 
     const std::size_t count = static_cast<std::size_t>(field.columns) * field.rows;
     field.values.resize(count);
     field.contained.resize(count);
-    if (request.quantity == SectionQuantity::gradient) field.slopes.resize(count);
+    field.quantity = request.quantity;
+    if (request.quantity != SectionQuantity::value) field.slopes.resize(count);
+    if (request.quantity == SectionQuantity::distance) field.distances.resize(count);
     field.maxGradient = request.surface->rootSettings().maxGradient;
     if (!fill(request, field, stop)) return {};
-    field.extent = typicalExtent(field);
+    field.extent = typicalExtent(field, field.values);
+    field.distanceExtent = typicalExtent(field, field.distances);
     for (std::size_t i = 0; i < field.slopes.size(); ++i)
         if (field.contained[i] && std::isfinite(field.slopes[i]))
             field.steepest = std::max(field.steepest, static_cast<double>(field.slopes[i]));

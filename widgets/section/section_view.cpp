@@ -227,13 +227,18 @@ void SectionView::setBand(double band) {
 /// What has the full colour.
 double SectionView::reach() const {
     if (band_ > 0) return band_;
-    return field_.quantity() == SectionQuantity::gradient ? field_.maxGradient : field_.extent;
+    switch (field_.quantity) {
+        case SectionQuantity::value: return field_.extent;
+        case SectionQuantity::gradient: return field_.maxGradient;
+        case SectionQuantity::distance: return field_.distanceExtent;
+    }
+    return 1;
 }
 
 /// The colour bar: from inside to outside, or from flat to steep with the colours of the overlay.
 void SectionView::updateScale() {
     Pipeline& p = *pipeline_;
-    const bool gradient = field_.quantity() == SectionQuantity::gradient;
+    const bool gradient = field_.quantity == SectionQuantity::gradient;
     const double top = std::clamp(field_.steepest / reach(), lowestScaleTop, highestScaleTop);
     for (int i = 0; i < SectionColors::steps; ++i) {
         const double share = static_cast<double>(i) / (SectionColors::steps - 1);
@@ -285,14 +290,15 @@ void SectionView::updateImage() {
     vtkNew<vtkUnsignedCharArray> colors;
     colors->SetNumberOfComponents(3);
     colors->SetNumberOfTuples(static_cast<vtkIdType>(field_.values.size()));
-    const bool gradient = field_.quantity() == SectionQuantity::gradient;
+    const bool gradient = field_.quantity == SectionQuantity::gradient;
+    const std::vector<float>& heights = field_.heights();
     const double full = reach();
     unsigned char* out = colors->GetPointer(0);
     for (std::size_t i = 0; i < field_.values.size(); ++i, out += 3) {
         const int column = static_cast<int>(i % field_.columns), row = static_cast<int>(i / field_.columns);
-        auto rgb = std::isnan(field_.values[i]) ? p.colors.undefined(column, row)
-                   : gradient                   ? heatRgb(field_.slopes[i] / full)
-                                                : p.colors.color(field_.values[i] / full);
+        auto rgb = std::isnan(heights[i]) ? p.colors.undefined(column, row)
+                   : gradient             ? heatRgb(heights[i] / full)
+                                          : p.colors.color(heights[i] / full);
         if (!field_.contained[i]) rgb = p.colors.faded(rgb);
         std::copy(rgb.begin(), rgb.end(), out);
     }
@@ -319,8 +325,8 @@ void SectionView::updateContour() {
 
 void SectionView::updateLines() {
     Pipeline& p = *pipeline_;
-    const bool gradient = field_.quantity() == SectionQuantity::gradient;
-    const std::vector<float>& heights = gradient ? field_.slopes : field_.values;
+    const bool gradient = field_.quantity == SectionQuantity::gradient;
+    const std::vector<float>& heights = field_.heights();
     const double step = gradient ? reach() / 4 : roundedUp(reach() / 5);
     const float far = static_cast<float>(step * 100);
     p.lineHeights->SetDimensions(field_.columns, field_.rows, 1);

@@ -13,7 +13,7 @@
 
 namespace isoscope {
 
-/// Draws a SectionField: f - threshold as diverging colours with a colour bar, the threshold as a line, the
+/// Draws a SectionField: its quantity as colours with a colour bar, the threshold as a line, the
 /// container as an outline (paler outside), places where f is undefined hatched. Drag moves the plane's
 /// image, the wheel zooms; with the line tool on, a drag draws a line instead.
 class SectionView : public VtkPanel {
@@ -28,7 +28,8 @@ class SectionView : public VtkPanel {
     /// Thin lines of equal height between the colours.
     void setLinesShown(bool shown);
     /// The value, or slope, that has the full colour, and by whose parts lines are drawn; 0 for one that
-    /// suits the field: nine tenths of its values lie within, slopes are measured by max_gradient.
+    /// suits the field: nine tenths of its values, or distances, lie within, slopes are measured by
+    /// max_gradient.
     void setBand(double band);
     bool linesShown() const { return linesShown_; }
     /// The line tool; a line outlives its being switched off.

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QProgressBar>
 #include <QIcon>
 #include <QPixmap>
 #include <QPushButton>
@@ -16,6 +14,7 @@
 
 #include "core/exchange/gradient_repairs.h"
 #include "widgets/numbers/number_text.h"
+#include "widgets/progress_row.h"
 #include "widgets/studies/share_text.h"
 #include "widgets/verdicts/verdict_symbol.h"
 #include "widgets/verdicts/verdict_text.h"
@@ -74,7 +73,8 @@ RepairPanel::RepairPanel(QWidget* parent) : StudyPanel(parent) {
     column->setSpacing(4);
     buildList();
     column->addWidget(list_, 1);
-    column->addWidget(buildRow());
+    buildRow();
+    column->addWidget(row_);
     showState(false, false);
 }
 
@@ -104,6 +104,8 @@ void RepairPanel::buildList() {
     room(toWrite, tr("To write") + QStringLiteral("______"));
     room(wrong, QStringLiteral("10 000 (99.9 %)___"));
     room(time, tr("%1 times as long").arg(QStringLiteral("100__")));
+    header->setSectionResizeMode(verdict, QHeaderView::ResizeToContents);
+    header->setStretchLastSection(false);
     connect(list_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* row) {
         const auto index = static_cast<std::size_t>(list_->indexOfTopLevelItem(row));
         if (index < statements_.size()) emit placeRequested(statements_[index].range);
@@ -117,30 +119,19 @@ void RepairPanel::buildList() {
     });
 }
 
-QWidget* RepairPanel::buildRow() {
-    auto* bar = new QWidget;
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
-    note_ = new QLabel;
-    note_->setTextFormat(Qt::PlainText);
-    note_->setWordWrap(true);
-    note_->setAccessibleDescription(tr("How far the isosurfaces are judged"));
-    row->addWidget(note_, 1);
-    progress_ = new QProgressBar;
-    progress_->setFixedWidth(80);
-    progress_->setTextVisible(false);
-    progress_->setAccessibleName(tr("Progress of the proofs"));
-    progress_->setToolTip(tr("How many isosurfaces are judged"));
-    row->addWidget(progress_);
-    stop_ = new QPushButton;
-    stop_->setAccessibleName(tr("Stop the proofs or go on"));
-    connect(stop_, &QPushButton::clicked, this,
+QLabel* RepairPanel::note() const { return row_->note(); }
+
+QPushButton* RepairPanel::stopButton() const { return row_->button(); }
+
+void RepairPanel::buildRow() {
+    row_ = new ProgressRow({tr("How far the isosurfaces are judged"), tr("Progress of the proofs"),
+                            tr("How many isosurfaces are judged"), tr("Stop the proofs or go on")});
+    connect(row_->button(), &QPushButton::clicked, this,
             [this] { stopped_ ? emit goOnRequested() : emit stopRequested(); });
-    row->addWidget(stop_);
     tick_ = new QPushButton;
     tick_->setAccessibleName(tr("Tick all or none"));
     connect(tick_, &QPushButton::clicked, this, &RepairPanel::tickAll);
-    row->addWidget(tick_);
+    row_->add(tick_);
     write_ = new QPushButton;
     write_->setToolTip(
         tr("Writes what is ticked where it stands: into the text, where Undo takes it back, and into the "
@@ -150,8 +141,7 @@ QWidget* RepairPanel::buildRow() {
         const auto values = chosenValues();
         if (!values.empty()) emit repairRequested(values);
     });
-    row->addWidget(write_);
-    return bar;
+    row_->add(write_);
 }
 
 void RepairPanel::leaveDocument() {
@@ -245,26 +235,24 @@ void RepairPanel::fill(QTreeWidgetItem* row, const StatementVerdict& statement, 
 }
 
 void RepairPanel::showState(bool busy, bool stopped) {
-    busy_ = busy;
     stopped_ = stopped;
     const auto judged =
         std::ranges::count_if(statements_, [](const auto& one) { return one.verdict.has_value(); });
     const auto all = static_cast<int>(statements_.size());
-    progress_->setVisible(busy);
-    progress_->setRange(0, std::max(1, all));
-    progress_->setValue(static_cast<int>(judged));
-    stop_->setVisible(busy || stopped);
-    stop_->setText(stopped ? tr("Go On") : tr("Stop"));
-    stop_->setToolTip(stopped ? tr("Go on with the proofs") : tr("End the proofs; what is known stays"));
+    row_->setWorking(busy, stopped
+                               ? ProgressRow::Button{tr("Go On"), tr("Go on with the proofs")}
+                               : ProgressRow::Button{tr("Stop"), tr("End the proofs; what is known stays")});
+    row_->setProgress(static_cast<double>(judged) / std::max(1, all));
+    row_->button()->setVisible(busy || stopped);
     if (statements_.empty())
-        note_->setText(busy ? tr("The isosurfaces are being judged…")
-                            : tr("The scene shows no isosurface that has a max_gradient."));
+        note()->setText(busy ? tr("The isosurfaces are being judged…")
+                             : tr("The scene shows no isosurface that has a max_gradient."));
     else if (busy || stopped)
-        note_->setText(tr("%1 of %2 statements are judged.").arg(judged).arg(all));
+        note()->setText(tr("%1 of %2 statements are judged.").arg(judged).arg(all));
     else if (std::ranges::none_of(statements_, &StatementVerdict::mendable))
-        note_->setText(tr("There is nothing to repair."));
+        note()->setText(tr("There is nothing to repair."));
     else
-        note_->setText(
+        note()->setText(
             tr("Wrong pixels and time are those of this view; what is written is proven for "
                "every view."));
     showChoice();

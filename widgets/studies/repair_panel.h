@@ -15,12 +15,13 @@
 #include "widgets/studies/study_panel.h"
 
 class QLabel;
-class QProgressBar;
 class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace isoscope {
+
+class ProgressRow;
 
 /// Every isosurface statement of the scene and its include files: its max_gradient, what is proven, the
 /// pixels that POV-Ray gets wrong, the time it wastes. What is ticked is written back by one click. What is
@@ -43,9 +44,9 @@ class RepairPanel : public StudyPanel {
     /// Parts, for tests; never null.
     QTreeWidget* list() const { return list_; }
     QPushButton* writeButton() const { return write_; }
-    QPushButton* stopButton() const { return stop_; }
+    QPushButton* stopButton() const;
     QPushButton* tickButton() const { return tick_; }
-    QLabel* note() const { return note_; }
+    QLabel* note() const;
 
   signals:
     /// The place of a row is to be shown.
@@ -61,7 +62,7 @@ class RepairPanel : public StudyPanel {
     using Key = std::pair<std::uint32_t, std::uint32_t>;  ///< file and place of a statement
 
     void buildList();
-    QWidget* buildRow();
+    void buildRow();
     void lookAtFiles();
     /// Why a mendable row is not to be written; empty when it may be.
     QString obstacleOf(const StatementVerdict& statement) const;
@@ -80,10 +81,9 @@ class RepairPanel : public StudyPanel {
     std::set<Key> unticked_;
     std::map<std::uint32_t, QString> obstacles_;  ///< of include files
     QTreeWidget* list_;
-    QLabel* note_;
-    QProgressBar* progress_;
-    QPushButton *stop_, *tick_, *write_;
-    bool busy_ = false, stopped_ = false;
+    ProgressRow* row_;
+    QPushButton *tick_, *write_;
+    bool stopped_ = false;
     bool filling_ = false;
 };
 

@@ -103,6 +103,7 @@ void SweepPanel::buildControls() {
     steps_ = new QSpinBox;
     steps_->setRange(2, mostSteps);
     steps_->setValue(usualSteps);
+    steps_->setSuffix(tr(" values"));
     steps_->setKeyboardTracking(false);
     steps_->setAccessibleName(tr("Number of values"));
     steps_->setToolTip(tr("How many values are tried"));

@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSplitter>
@@ -21,6 +19,7 @@
 #include "widgets/charts/chart_view.h"
 #include "widgets/either_stop.h"
 #include "widgets/numbers/number_text.h"
+#include "widgets/progress_row.h"
 #include "widgets/section/surface_chooser.h"
 #include "widgets/studies/share_text.h"
 #include "widgets/verdicts/verdict_text.h"
@@ -29,7 +28,6 @@ namespace isoscope {
 
 namespace {
 
-constexpr int progressSteps = 1000;
 /// Pixels from a mark within which the threshold sticks to it.
 constexpr double magnet = 6;
 /// Round values of the chart: a step of so many in all.
@@ -129,35 +127,21 @@ ThresholdPanel::ThresholdPanel(QWidget* parent) : StudyPanel(parent) {
     both->setStretchFactor(0, 1);
     both->setStretchFactor(1, 1);
     column->addWidget(both, 1);
-    auto* row = new QHBoxLayout;
-    text_ = new QLabel;
-    text_->setTextFormat(Qt::PlainText);
-    text_->setWordWrap(true);
-    text_->setAccessibleDescription(tr("About the threshold"));
-    row->addWidget(text_, 1);
-    progress_ = new QProgressBar;
-    progress_->setRange(0, progressSteps);
-    progress_->setFixedWidth(80);
-    progress_->setTextVisible(false);
-    progress_->setAccessibleName(tr("Progress of the search"));
-    progress_->setToolTip(tr("How much of the search for critical values is done"));
-    row->addWidget(progress_);
-    stopButton_ = new QPushButton;
-    stopButton_->setAccessibleName(tr("Search or stop"));
-    connect(stopButton_, &QPushButton::clicked, this, [this] {
+    row_ = new ProgressRow({tr("About the threshold"), tr("Progress of the search"),
+                            tr("How much of the search for critical values is done"), tr("Search or stop")});
+    connect(row_->button(), &QPushButton::clicked, this, [this] {
         declined_ = searching_;
         if (!searching_) return search();
         endSearch();
         refresh();
     });
-    row->addWidget(stopButton_);
-    row->addWidget(goThere_);
-    row->addWidget(use_);
+    row_->add(goThere_);
+    row_->add(use_);
     save_ = new ChartSaver({[this] { return QList<Chart>{chart_->chart()}; },
                             [this] { return chartTable(chart_->chart()); }, tr("threshold")});
     connect(save_, &ChartSaver::said, this, &ThresholdPanel::said);
-    row->addWidget(save_);
-    column->addLayout(row);
+    row_->add(save_);
+    column->addWidget(row_);
     refresh();
 }
 
@@ -203,7 +187,9 @@ std::size_t ThresholdPanel::chosen() const {
     return static_cast<std::size_t>(std::max(0, surfaces_->currentIndex()));
 }
 
-QString ThresholdPanel::text() const { return text_->text(); }
+QString ThresholdPanel::text() const { return row_->note()->text(); }
+
+QPushButton* ThresholdPanel::stopButton() const { return row_->button(); }
 
 const SceneIsosurface* ThresholdPanel::subject() const {
     if (!scene_ || chosen() >= scene_->isosurfaces.size()) return nullptr;
@@ -375,13 +361,14 @@ void ThresholdPanel::showList() {
 
 void ThresholdPanel::describe() {
     const bool possible = subject();
-    progress_->setVisible(searching_);
-    progress_->setValue(static_cast<int>(std::lround(survey_.progress * progressSteps)));
-    stopButton_->setText(searching_ ? tr("Stop") : tr("Search"));
-    stopButton_->setToolTip(searching_ ? tr("End the search for critical values")
-                                       : tr("Search for the values at which the surface changes its form"));
-    stopButton_->setVisible(possible && (searching_ || !survey_.complete));
-    if (!possible || survey_.histogram.empty()) return text_->clear();
+    row_->setWorking(
+        searching_,
+        searching_ ? ProgressRow::Button{tr("Stop"), tr("End the search for critical values")}
+                   : ProgressRow::Button{tr("Search"),
+                                         tr("Search for the values at which the surface changes its form")});
+    row_->setProgress(survey_.progress);
+    row_->button()->setVisible(possible && (searching_ || !survey_.complete));
+    if (!possible || survey_.histogram.empty()) return row_->note()->clear();
     const IsosurfaceSettings& settings = subject()->shape->settings();
     const double below = shareBelow(survey_.histogram, settings.threshold);
     const double inside = settings.positivePolarity ? 1 - below : below;
@@ -390,7 +377,7 @@ void ThresholdPanel::describe() {
         tr("%1 of the container is inside.")
             .arg(formatShare(static_cast<std::uint64_t>(std::llround(std::clamp(inside, 0.0, 1.0) * unit)),
                              static_cast<std::uint64_t>(unit)));
-    if (!survey_.complete) return text_->setText(text);
+    if (!survey_.complete) return row_->note()->setText(text);
     const auto proven = std::ranges::count_if(ticks_, &ThresholdTick::proven);
     const auto open = static_cast<std::ptrdiff_t>(ticks_.size()) - proven;
     text += ' ' + tr("Values at which its form changes: %1 proven, %2 suspected, no others but at the "
@@ -399,7 +386,7 @@ void ThresholdPanel::describe() {
                       .arg(open);
     if (ticks_.size() > mostRows) text += ' ' + tr("The first %1 are listed.").arg(mostRows);
     if (survey_.critical.jumps) text += ' ' + tr("Where the function jumps there may be more.");
-    text_->setText(text);
+    row_->note()->setText(text);
 }
 
 void ThresholdPanel::showProbe(const ProbedPoint* point) {

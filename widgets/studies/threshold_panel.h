@@ -9,8 +9,6 @@
 #include "widgets/latest_worker.h"
 #include "widgets/studies/study_panel.h"
 
-class QLabel;
-class QProgressBar;
 class QPushButton;
 class QTreeWidget;
 
@@ -18,6 +16,7 @@ namespace isoscope {
 
 class ChartSaver;
 class ChartView;
+class ProgressRow;
 class SurfaceChooser;
 
 /// Which thresholds give which surface: how often the function takes which value in the container, with lines
@@ -50,7 +49,7 @@ class ThresholdPanel : public StudyPanel {
     /// Parts, for tests; never null.
     ChartView* chart() const { return chart_; }
     QTreeWidget* list() const { return list_; }
-    QPushButton* stopButton() const { return stopButton_; }
+    QPushButton* stopButton() const;
     QString text() const;
 
   signals:
@@ -90,9 +89,8 @@ class ThresholdPanel : public StudyPanel {
     SurfaceChooser* surfaces_;
     ChartView* chart_;
     QTreeWidget* list_;
-    QLabel* text_;
-    QProgressBar* progress_;
-    QPushButton *stopButton_, *use_, *goThere_;
+    ProgressRow* row_;
+    QPushButton *use_, *goThere_;
     ChartSaver* save_;
     std::stop_source stop_;
     std::uint64_t generation_ = 0;

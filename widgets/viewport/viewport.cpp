@@ -243,7 +243,7 @@ void Viewport::request(int finestBlock, PictureBuffer::Reveal reveal, const Stag
     // How long the first picture of a document takes is anybody's guess.
     job_ = renderer_.request(std::move(order), finestBlock, job_ == 0 ? 0 : smoothSeconds);
     buffer_.expect(job_, size, reveal);
-    if (finished_) busySince_.start();
+    if (!busySince_.isValid()) busySince_.start();
     finished_ = false;
     if (!preliminary_) settleTimer_.stop();
     drainTimer_.start();
@@ -307,8 +307,7 @@ void Viewport::drain() {
     if (softening_) return drainSoftened(progress, changed);
     const bool ended = progress.finished && progress.job == job_;
     const bool revealed = ended && buffer_.complete(job_);
-    const bool busyMark = !finished_ && busySince_.isValid() && busySince_.elapsed() > timing::busyMarkDelay;
-    if (changed || revealed || ended || busyMark) update();
+    if (changed || revealed || ended || busyMarkShown()) update();
     if (ended) {
         drainTimer_.stop();
         if (!preliminary_ && !shown_.antialias && progress.pass == progress.passCount)
@@ -330,6 +329,10 @@ void Viewport::drain() {
     emit pictureFinished();
     if (antialias_ && !soft_ && !confirm_ && !preliminary_ && softenable(progress)) softenTimer_.start();
     if (confirm_) request(1, PictureBuffer::Reveal::whenComplete);
+}
+
+bool Viewport::busyMarkShown() const {
+    return !finished_ && busySince_.isValid() && busySince_.elapsed() > timing::busyMarkDelay;
 }
 
 bool Viewport::event(QEvent* event) {
@@ -427,7 +430,7 @@ void Viewport::paintOverlays(QPainter& painter) {
         painter.setPen(Qt::white);
         painter.drawText(text, Qt::AlignLeft | Qt::TextWordWrap, notice_);
     }
-    if (!finished_ && busySince_.isValid() && busySince_.elapsed() > timing::busyMarkDelay) {
+    if (busyMarkShown()) {
         constexpr double size = 18, margin = 10, degreesPerMillisecond = 0.36;
         const QRectF circle(width() - size - margin, margin, size, size);
         painter.setBrush(Qt::NoBrush);

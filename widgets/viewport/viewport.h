@@ -121,6 +121,8 @@ class Viewport : public QWidget {
     RenderProgress progress() const { return finished_ ? told_ : renderer_.progress(); }
     /// The full resolution of the present scene and view is on screen, or the picture was stopped.
     bool finished() const { return finished_ && !resizeTimer_.isActive(); }
+    /// A turning mark tells that the picture takes longer than timing::busyMarkDelay.
+    bool busyMarkShown() const;
 
   public slots:
     /// Back to home(), with viewChanged(); nothing for a view that was not moved.

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <QDockWidget>
 #include <QMouseEvent>
+#include <utility>
 
 #include "core/text/source_text.h"
 #include "widgets/document/scene_session.h"
@@ -194,14 +196,32 @@ void VerdictController::listFindings(const Diagnostics& findings) {
     parts_.problems->setFindings(findings);
 }
 
+/// The worst isosurface of each statement: a macro or loop makes so many that marks would hide the picture.
+std::set<const SurfaceVerdict*> VerdictController::alarms() const {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, const SurfaceVerdict*> worst;
+    const auto rank = [](const SurfaceVerdict& one) {
+        return std::pair(badness(one.verdict()), one.bracket.lower);
+    };
+    for (const SurfaceVerdict& one : study_->verdicts()) {
+        if (!isAlarming(one)) continue;
+        const SourceRange& range = study_->judged()->isosurfaces[one.isosurface].range;
+        const SurfaceVerdict*& known = worst[{range.file, range.begin}];
+        if (!known || rank(one) > rank(*known)) known = &one;
+    }
+    std::set<const SurfaceVerdict*> alarms;
+    for (const auto& [statement, one] : worst) alarms.insert(one);
+    return alarms;
+}
+
 void VerdictController::showPlaces() {
     const auto& scene = study_->judged();
+    const std::set<const SurfaceVerdict*> alarming = alarms();
     std::vector<PlaceMark> marks;
     marked_.clear();
     for (const SurfaceVerdict& one : study_->verdicts()) {
         const bool looked = parts_.gradient->isActive() && one.isosurface == parts_.gradient->chosen() &&
                             one.bracket.boxes > 0;
-        if (!isAlarming(one) && !looked) continue;
+        if (!alarming.contains(&one) && !looked) continue;
         const SceneIsosurface& isosurface = scene->isosurfaces[one.isosurface];
         marks.push_back({isosurface.transform.point(one.bracket.place), reachOf(isosurface), markLabel(one),
                          verdictSymbolColor(one.verdict(), Look::light)});

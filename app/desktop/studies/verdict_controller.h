@@ -5,6 +5,7 @@
 #include <optional>
 #include <QObject>
 #include <QTimer>
+#include <set>
 #include <vector>
 
 #include "core/language/parse.h"
@@ -62,6 +63,7 @@ class VerdictController : public QObject {
     void show();
     void showInText();
     void listFindings(const Diagnostics& findings);
+    std::set<const SurfaceVerdict*> alarms() const;
     void showPlaces();
     void showNothingToSay();
     /// Whether the verdicts are about the statements of the text as it was parsed last.

@@ -58,7 +58,9 @@ class Writer {
             const auto text = known != named_.end() ? known->second : textOf(function_.results[k]);
             if (!text) return false;
             text_ += declared(name_ + endings[k], *text);
-            named_[function_.results[k]] = name_ + endings[k] + "(x, y, z)";
+            // A number or a variable is shorter than its name.
+            if (graph.operandsOf(function_.results[k]).size() > 0)
+                named_[function_.results[k]] = name_ + endings[k] + "(x, y, z)";
             if (text_.size() > lengthLimit) return false;
         }
         return true;
@@ -103,7 +105,9 @@ DerivativeText derivativeText(const Isosurface& surface, std::span<const double>
     for (std::size_t k = 0; k < 4; ++k) results.push_back(copy.into(graph, gradient.function, k));
     const auto at = [&](std::size_t k) { return Expression(graph, results[k]); };
     const Expression length = sqrt(sq(at(1)) + sq(at(2)) + sq(at(3)));
-    const Expression normalised = (at(0) - surface.settings().threshold) / max(length, leastGradient);
+    const double threshold = surface.settings().threshold;
+    const Expression height = threshold == 0 ? at(0) : at(0) - threshold;
+    const Expression normalised = height / max(length, leastGradient);
     results.push_back(length.node());
     results.push_back(normalised.node());
     if (graph.overflowed()) {

@@ -6,8 +6,8 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 
-#include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/tape/loop_stop.h"
+#include "core/study/view/surface_distance.h"
 
 namespace isoscope {
 
@@ -31,6 +31,8 @@ bool finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.
 
 }  // namespace
 
+double ProbedPoint::distance() const { return surfaceDistance(value - threshold, slope); }
+
 PointProbe::PointProbe(std::shared_ptr<const Scene> scene)
     : scene_(std::move(scene)), objects_(*scene_, [](const SceneObject& object) { return object.visible; }) {}
 
@@ -48,10 +50,7 @@ std::optional<ProbedPoint> PointProbe::at(std::size_t isosurface, const glm::dve
     point.place = place;
     point.inScene = placed.transform.point(place);
     point.value = found.value;
-    const double slope = std::hypot(found.gradient[0], found.gradient[1], found.gradient[2]);
-    point.slope = std::isnan(found.value)                ? std::numeric_limits<double>::quiet_NaN()
-                  : slope >= GradientEvaluator::steepest ? std::numeric_limits<double>::infinity()
-                                                         : slope;
+    point.slope = slopeOf(found);
     point.threshold = placed.shape->settings().threshold;
     point.maxGradient = placed.shape->rootSettings().maxGradient;
     point.contained = holds(placed.shape->settings().container, place);
@@ -78,8 +77,7 @@ std::optional<ProbedPoint> PointProbe::seenAlong(const Ray& ray, std::stop_token
     for (std::size_t i = 0; i < scene_->isosurfaces.size(); ++i) {
         const auto point = at(i, scene_->isosurfaces[i].transform.inversePoint(seen), stop);
         if (!point || !point->contained) continue;
-        const double away = std::abs(point->value - point->threshold) /
-                            std::max(point->slope, std::numeric_limits<double>::min());
+        const double away = std::abs(point->distance());
         if (best && !(away < least)) continue;
         least = std::isnan(away) ? std::numeric_limits<double>::infinity() : away;
         best = point;

@@ -20,6 +20,9 @@ struct ProbedPoint {
     double threshold = 0;
     double maxGradient = 0;  ///< the setting in force, which POV-Ray measures slopes by
     bool contained = true;   ///< inside the container, or on its wall
+
+    /// surfaceDistance() of the point.
+    double distance() const;
 };
 
 /// Looks at points of a scene one at a time: what isosurfaces' functions are there, and whether a point can
@@ -36,7 +39,7 @@ class PointProbe {
     std::optional<ProbedPoint> at(std::size_t isosurface, const glm::dvec3& place,
                                   std::stop_token stop = {}) const;
     /// At what the ray, in the world, meets first: of the isosurface that is nearest there, measured by
-    /// |f - threshold| / |grad f|, among those whose containers hold the point. Nothing where there is none.
+    /// surfaceDistance(), among those whose containers hold the point. Nothing where there is none.
     std::optional<ProbedPoint> seenAlong(const Ray& ray, std::stop_token stop = {}) const;
     /// Whether anything visible lies in front of `point`, in the world, on `ray`, which passes through it.
     bool hides(const Ray& ray, const glm::dvec3& point, std::stop_token stop = {}) const;

@@ -162,6 +162,21 @@ class RepairPanelTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(!study->busy(), 60000);
     }
 
+    /// A bug once: "may have…", in a window that is not wide.
+    void noVerdictIsCut() {
+        QTemporaryDir folder;
+        writeInto(folder, QStringLiteral("part.inc"), part);
+        WindowDriver d;
+        const RepairPanel* panel = opened(d, writeInto(folder, QStringLiteral("s.pov"), text));
+        d->resize(900, 600);
+        QVERIFY(d.rests(60000));
+        QTRY_COMPARE(panel->list()->topLevelItemCount(), 4);
+        QTRY_VERIFY(!cell(panel, 3, 6).isEmpty());
+        constexpr int verdict = 6;
+        const QAbstractItemView* list = panel->list();
+        QTRY_VERIFY(panel->list()->columnWidth(verdict) >= list->sizeHintForColumn(verdict));
+    }
+
     void aRowLeadsToItsPlace() {
         QTemporaryDir folder;
         writeInto(folder, QStringLiteral("part.inc"), part);

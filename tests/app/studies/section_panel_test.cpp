@@ -10,6 +10,7 @@
 #include <QSignalSpy>
 
 #include "app/desktop/files/document_controller.h"
+#include "app/desktop/studies/study_controller.h"
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "core/language/parse.h"
@@ -17,6 +18,7 @@
 #include "tests/app/window_driver.h"
 #include "widgets/charts/chart_view.h"
 #include "widgets/editor/scene_editor.h"
+#include "widgets/linked_probe.h"
 #include "widgets/section/section_profile.h"
 #include "widgets/section/section_view.h"
 #include "widgets/viewport/viewport.h"
@@ -239,6 +241,41 @@ class SectionPanelTest : public QObject {
         QCOMPARE(line.from, glm::dvec3(from.x, from.y, 0.5));
         press(d, QStringLiteral("Profile along a line"));
         QVERIFY(!profile->isVisible());
+    }
+
+    /// Of x + 10 y + 100 z the gradient has the length sqrt(10101) everywhere.
+    void theDistanceIsShownChartedAndTold() {
+        WindowDriver d;
+        QVERIFY(shows(d, coordinates));
+        auto* panel = d->study<SectionPanel>();
+        SectionView* view = panel->view();
+        QVERIFY(!view->linesShown());
+        panel->setQuantity(SectionQuantity::distance);
+        QVERIFY(view->linesShown());  // a distance is told by them
+        panel->setProfileShown(true);
+        QVERIFY(d.rests());
+        const double slope = std::sqrt(10101.0);
+        const SectionField& field = view->field();
+        QVERIFY(field.quantity == SectionQuantity::distance);
+        for (const int row : {0, field.rows / 3, field.rows - 1})
+            QVERIFY(std::abs(field.distances[static_cast<std::size_t>(row) * field.columns + 7] -
+                             expected(field, 7, row) / slope) < 1e-5);
+        const ChartSeries& curve = panel->profile()->chart()->chart().series.last();
+        QCOMPARE(curve.name, QStringLiteral("distance"));
+        QVERIFY(std::abs(curve.points.front().y() - -1 / slope) < 1e-9 &&
+                std::abs(curve.points.back().y() - 1 / slope) < 1e-9);
+        QTest::mouseMove(view, view->rect().center() + QPoint(-30, 10));
+        QTRY_VERIFY(d->studies()->probe()->point() && d->studies()->probe()->upToDate());
+        const ProbedPoint& point = *d->studies()->probe()->point();
+        QVERIFY(std::abs(point.distance() - point.value / slope) < 1e-9);
+        const QString told = QStringLiteral("distance %1").arg(QString::number(point.distance(), 'g', 5));
+        QTRY_VERIFY2(d->probed()->text().endsWith(told), qPrintable(d->probed()->text()));
+        QTRY_VERIFY2(view->accessibleDescription().contains(QString(told).replace("ce ", "ce = ")),
+                     qPrintable(view->accessibleDescription()));
+        // Of another quantity it is not the scale.
+        panel->setQuantity(SectionQuantity::value);
+        QVERIFY(d.rests());
+        QVERIFY(field.distances.empty() && field.slopes.empty());
     }
 
     void theNumbersAreATable() {

@@ -104,6 +104,42 @@ class SectionSamplerTest : public QObject {
             sampleSection({parsed.scene->isosurfaces[0].shape, nullptr, {}, 64}, source.get_token()).empty());
     }
 
+    void distancesAreRightToFirstOrder() {
+        // Of an even slope they are exact.
+        const ParseResult parsed = parseScene(
+            "isosurface { function { 3*sqrt(x*x + y*y + z*z) } threshold 1.5 }\n"
+            "isosurface { function { x*x } threshold 1 }\nisosurface { function { sqrt(x) - 0.5 } }");
+        SectionRequest request{parsed.scene->isosurfaces[0].shape, parsed.scene->parameterTable,
+                               SectionPlane::across(2, 0), 9};
+        QVERIFY(sampleSection(request).distances.empty());
+        request.quantity = SectionQuantity::distance;
+        const SectionField ball = sampleSection(request);
+        QVERIFY(&ball.heights() == &ball.distances && ball.distances.size() == ball.values.size());
+        for (int row = 0; row < 9; ++row)
+            for (int column = 0; column < 9; ++column) {
+                const double radius = std::hypot(column / 4.0 - 1, row / 4.0 - 1);
+                const float distance = ball.distances[static_cast<std::size_t>(9 * row + column)];
+                if (radius > 0)
+                    QVERIFY(std::abs(distance - (radius - 0.5)) < 1e-6);
+                else
+                    QVERIFY(std::isinf(distance) && distance < 0);  // the tip of a cone counts as flat
+            }
+        QCOMPARE(ball.extent, 2.0);
+        QCOMPARE(ball.distanceExtent, 1.0);
+        request.surface = parsed.scene->isosurfaces[1].shape;
+        const SectionField slab = sampleSection(request);
+        for (int column = 0; column < 9; ++column) {
+            const double x = column / 4.0 - 1;
+            if (x != 0) QVERIFY(std::abs(slab.distances[column] - (x * x - 1) / std::abs(2 * x)) < 1e-6);
+        }
+        QCOMPARE(slab.distances[8], 0.0f);
+        request.surface = parsed.scene->isosurfaces[2].shape;
+        const SectionField half = sampleSection(request);
+        QVERIFY(std::isnan(half.distances[0]) && half.undefined);
+        QCOMPARE(half.distances[4], 0.0f);  // infinitely steep
+        QVERIFY(sectionTable(half).startsWith(QStringLiteral("x,y,z,value,gradient,distance\n")));
+    }
+
     void slopesAreThoseOfTheFunction() {
         const ParseResult parsed = parseScene(
             "isosurface { function { x*x + 3*y + sqrt(z) } max_gradient 2.5 contained_by { box { -1, 1 } } "
@@ -113,7 +149,7 @@ class SectionSamplerTest : public QObject {
         QVERIFY(sampleSection(request).slopes.empty());
         request.quantity = SectionQuantity::gradient;
         const SectionField field = sampleSection(request);
-        QVERIFY(field.quantity() == SectionQuantity::gradient);
+        QVERIFY(field.quantity == SectionQuantity::gradient);
         QCOMPARE(field.maxGradient, 2.5);
         QCOMPARE(field.slopes.size(), field.values.size());
         // (2 x, 3, 1 / (2 sqrt(z))) with x from -1 to 1 and z = 1/4.

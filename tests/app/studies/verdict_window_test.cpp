@@ -273,6 +273,20 @@ class VerdictWindowTest : public QObject {
         QVERIFY(QTest::qWaitFor([&] { return d->viewport()->placeMarks().marks().size() == 1; }, 30000));
     }
 
+    /// A macro's hundreds of marks hid the picture once.
+    void aStatementHasOneMarkHoweverManySurfacesItMakes() {
+        WindowDriver d;
+        QVERIFY(judgedText(
+            d, QStringLiteral("#version 3.7;\ncamera { location -9*z look_at 0 }\n#for (I, 1, 5)\n"
+                              "isosurface { function { x*x + y*y + z*z - 1 } max_gradient 2\n"
+                              "contained_by { sphere { 0, 1 + 0.01*I } } translate (I - 3)*x }\n#end\n"
+                              "isosurface { function { y } max_gradient 0.5 translate -2*y }\n")));
+        const auto& marks = d->viewport()->placeMarks().marks();
+        QCOMPARE(marks.size(), std::size_t(2));
+        // The steepest is that of the largest container.
+        QVERIFY(glm::distance(marks[0].place, glm::dvec3(2, 0, 0)) > 1.04);
+    }
+
     void theSectionMarksItAndGoesThere() {
         WindowDriver d;
         QVERIFY(judgedText(d, sphereText));
