@@ -30,8 +30,8 @@ const Effects all{"reflection 0.5", "granite", "transmit 0.7", "crand 0.2", "fog
 
 }  // namespace
 
-/// What effects cost, in instructions of the whole program, which callgrind counts: they do not depend on how
-/// busy the machine is.
+/// What effects cost, in instructions of the program's main thread, which callgrind counts: they do not
+/// depend on how busy the machine is.
 class EffectCostTest : public QObject {
     Q_OBJECT
 

@@ -7,7 +7,7 @@
 
 using namespace isoscope::test;
 
-/// What reading costs, in instructions of the whole program.
+/// What reading costs, in instructions.
 class ReadingCostTest : public QObject {
     Q_OBJECT
 

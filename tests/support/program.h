@@ -23,8 +23,8 @@ ProgramResult runProgram(const QString& program, const QStringList& arguments, i
 /// Runs isoscope-cli.
 ProgramResult runCli(const QStringList& arguments, int timeoutSeconds = 60);
 
-/// Instructions of a run of isoscope-cli, as callgrind counts them: they do not depend on how busy the
-/// machine is. -1 when it fails.
+/// Instructions of `main` of isoscope-cli, as callgrind counts them: they do not depend on how busy the
+/// machine is. What other threads do is not counted. -1 when it fails.
 double instructionsOfCli(const QStringList& arguments);
 
 /// A file with this text in a folder of the running test; returns its path.
