@@ -134,7 +134,7 @@ class DerivativeTextTest : public QObject {
                              "#declare f_dy = function(x, y, z) { 1 }\n"
                              "#declare f_dz = function(x, y, z) { 0 }\n"
                              "#declare f_gradient = function(x, y, z) { 1 }\n"
-                             "#declare f_normalised = function(x, y, z) { (y/1) }\n"));
+                             "#declare f_normalised = function(x, y, z) { y }\n"));
     }
 
     /// Long parts are written once: the text of a product of many factors stays short.

@@ -77,22 +77,27 @@ class PlainLipschitz {
     double g(double t) const { return settings_.signedValue(f_(query_.origin + t * query_.direction)); }
 
     std::optional<double> find(double t1, double h1, double t2, double h2, double L) {
-        const double w = t2 - t1;
-        const double speed = glm::length(query_.direction);
-        const double slope = std::abs(h2 - h1) / (w * speed);
-        if (settings_.evaluate && std::isfinite(slope)) {
-            const double P1 = (*settings_.evaluate)[1];
-            if (slope * P1 > bound_) {
-                bound_ = slope * P1 * P1;
-                L = bound_ * speed * w;
+        // The second half comes in the next round: called, the halves behind a pole filled the stack.
+        for (;;) {
+            const double w = t2 - t1;
+            const double speed = glm::length(query_.direction);
+            const double slope = std::abs(h2 - h1) / (w * speed);
+            if (settings_.evaluate && std::isfinite(slope)) {
+                const double P1 = (*settings_.evaluate)[1];
+                if (slope * P1 > bound_) {
+                    bound_ = slope * P1 * P1;
+                    L = bound_ * speed * w;
+                }
             }
+            if (w < settings_.accuracy) return h2 < 0 ? std::optional(t2) : std::nullopt;
+            if (std::isnan(h1 + h2 - L) || h1 + h2 - L >= 0) return std::nullopt;
+            const double m = (t1 + t2) / 2;
+            const double hm = s_ * g(m);
+            L /= 2;
+            if (const auto hit = find(t1, h1, m, hm, L)) return hit;
+            t1 = m;
+            h1 = hm;
         }
-        if (w < settings_.accuracy) return h2 < 0 ? std::optional(t2) : std::nullopt;
-        if (std::isnan(h1 + h2 - L) || h1 + h2 - L >= 0) return std::nullopt;
-        const double m = (t1 + t2) / 2;
-        const double hm = s_ * g(m);
-        if (const auto hit = find(t1, h1, m, hm, L / 2)) return hit;
-        return find(m, hm, t2, h2, L / 2);
     }
 
     const PointFunction& f_;

@@ -57,6 +57,20 @@ class EditJournalTest : public QObject {
         QVERIFY(!journal.textAfter(0, "a = 98;"));
     }
 
+    /// A bug once: the first text came back as the saved one where the saved one was no longer to be had.
+    void aSavedTextThatIsGoneStaysGone() {
+        SceneEditor editor;
+        editor.setSceneText(QStringLiteral("a = 1;"));
+        editor.replaceRange(range(4, 5), QStringLiteral("2"));
+        editor.setModified(false);
+        editor.undo();
+        editor.replaceRange(range(4, 5), QStringLiteral("3"));
+        const auto copy = again(editor);
+        QVERIFY(copy);
+        QCOMPARE(editor.history()->journal().saved(), -1);
+        QCOMPARE(copy->history()->journal().saved(), -1);
+    }
+
     void everyTextComesBack() {
         const quint32 seed = QRandomGenerator::global()->generate();
         qInfo("seed %u", seed);

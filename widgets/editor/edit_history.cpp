@@ -74,6 +74,7 @@ void EditHistory::replay(const EditJournal& journal) {
     replaying_ = true;
     int done = 0;
     saved_ = journal.saved() == 0 ? 0 : -1;
+    journal_.setSaved(saved_ == 0);
     for (int i = 0; i < static_cast<int>(journal.steps().size()); ++i) {
         replayStep(journal.steps()[static_cast<std::size_t>(i)]);
         if (i + 1 == journal.saved()) setModified(false);

@@ -187,6 +187,7 @@ class SectionViewTest : public QObject {
 
     void slopesAreShownInTheColoursOfTheOverlay() {
         SectionField field = circle();
+        field.quantity = SectionQuantity::gradient;
         field.slopes.assign(field.values.size(), 0.5f);
         field.maxGradient = 1;
         field.steepest = 0.5;
@@ -216,6 +217,7 @@ class SectionViewTest : public QObject {
 
     void theBandOfTheColoursIsChosen() {
         SectionField field = circle();
+        field.quantity = SectionQuantity::gradient;
         field.slopes.assign(field.values.size(), 0.5f);
         field.maxGradient = 1;
         field.steepest = 0.5;
