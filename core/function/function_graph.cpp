@@ -99,7 +99,7 @@ NodeId FunctionGraph::binary(Operation operation, NodeId a, NodeId b) {
     }
     if (operation == Operation::multiply && a == b) return unary(Operation::square, a);
     if (operation == Operation::divide && isConstant(b) && hasExactInverse(value(b)))
-        return binary(Operation::multiply, a, constant(1 / value(b)));
+        return value(b) == 1 ? a : binary(Operation::multiply, a, constant(1 / value(b)));
     const bool isFraction = operation == Operation::subtract && nodes_[b].operation == Operation::floor &&
                             nodes_[b].operands[0] == a;
     if (isFraction) return unary(Operation::fraction, a);
