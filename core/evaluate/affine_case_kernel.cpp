@@ -15,8 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace isoscope::HWY_NAMESPACE {
 
-/// One instruction with an operation that the algebra covers. A loop for each operation: one for all of them
-/// would keep its operands in memory.
+/// An instruction with this operation, which the algebra covers. There is a loop for each operation: one for
+/// all of them would keep its operands in memory.
 template <Operation operation, class Algebra>
 HWY_NOINLINE void runOperation(TapeWorkspace& workspace, const Instruction& instruction, Algebra& algebra,
                                std::size_t lanes) {
@@ -39,6 +39,8 @@ HWY_NOINLINE void runOperation(TapeWorkspace& workspace, const Instruction& inst
         Algebra::store(algebra.run(operation, operands, lane), target + lane);
     }
 }
+
+/// The same for an operation that is known at run time.
 template <class Algebra>
 void runCovered(TapeWorkspace& workspace, const Instruction& instruction, Algebra& algebra,
                 std::size_t lanes) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/evaluate/gradient_kernel.h"
 #include "core/evaluate/prepared_function.h"
@@ -115,6 +116,12 @@ void GradientEvaluator::writeResult(Slot slot, std::span<ValueAndGradient> out) 
         out[i] = {lanes[i],
                   {finiteSlope(lanes[batchLanes + i]), finiteSlope(lanes[2 * batchLanes + i]),
                    finiteSlope(lanes[3 * batchLanes + i])}};
+}
+
+double slopeOf(const ValueAndGradient& at) {
+    if (std::isnan(at.value)) return std::numeric_limits<double>::quiet_NaN();
+    const double length = std::hypot(at.gradient[0], at.gradient[1], at.gradient[2]);
+    return length >= GradientEvaluator::steepest ? std::numeric_limits<double>::infinity() : length;
 }
 
 }  // namespace isoscope

@@ -85,4 +85,8 @@ class GradientEvaluator {
     std::array<std::array<double, batchLanes>, 2> uniform_{};  ///< value and derivative of a constant
 };
 
+/// |grad f| of what a GradientEvaluator found: infinite where f is infinitely steep, NaN where it is
+/// undefined.
+double slopeOf(const ValueAndGradient& at);
+
 }  // namespace isoscope

@@ -48,7 +48,8 @@ struct Function;
 
 /// A hash-consed graph of operations over the arguments of a function and the parameters of a scene: equal
 /// nodes exist once. Building folds constants (with POV-Ray's run-time semantics, so that folding never
-/// changes a value) and turns `a*a` into a square; it applies no identity that is not exact in IEEE
+/// changes a value), turns `a*a` into a square and a division by a power of 2 into a product (by 1: into
+/// nothing); it applies no identity that is not exact in IEEE
 /// arithmetic.
 ///
 /// A graph holds at most `nodeLimit` nodes. When a build would exceed it, `overflowed()` becomes true and

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <QTest>
 
+#include "core/evaluate/ray_piece_forms.h"
 #include "core/evaluate/reference_evaluator.h"
 #include "core/function/graph_builder.h"
 #include "tests/support/exact_evaluator.h"
@@ -29,11 +30,10 @@ Function operationFunction(Operation operation, unsigned uniformOperands, std::m
     return finish(std::move(graph), {root}, 3);
 }
 
-/// Checks random pieces of rays; returns how many forms were known.
-int check(const Function& function, std::span<const double> parameters, std::mt19937_64& random,
-          QByteArray& failure) {
+/// Checks pieces of rays at their ends and between; returns how many forms were known.
+int check(const Function& function, std::span<const double> parameters, const RayPieces& pieces,
+          std::mt19937_64& random, QByteArray& failure) {
     AffineEvaluator evaluator(Tape::compile(function), parameters);
-    const RayPieces pieces = randomPieces(random);
     std::array<AffineForm, batchLanes> forms;
     evaluator.evaluate(pieces, forms);
     int known = 0;
@@ -53,6 +53,12 @@ int check(const Function& function, std::span<const double> parameters, std::mt1
         }
     }
     return known;
+}
+
+/// The same of random pieces.
+int check(const Function& function, std::span<const double> parameters, std::mt19937_64& random,
+          QByteArray& failure) {
+    return check(function, parameters, randomPieces(random), random, failure);
 }
 
 std::shared_ptr<const Tape> sphereTape() {
@@ -180,6 +186,52 @@ class AffineEvaluatorTest : public QObject {
         evaluator.evaluate(pieces, forms);
         QCOMPARE(forms[0].a, 0.0);
         QCOMPARE(forms[0].e, 0.0);
+    }
+
+    /// From 0 itself, beside it and far away, along short pieces, long ones and points: powers are enclosed
+    /// by their curvature, by chord and tangents, or by their values at the ends.
+    void powersHoldTheirExactValuesFromZeroOn() {
+        std::mt19937_64 random(seed + 2);
+        for (const double exponent :
+             {0.02, 0.5, 0.9, 1.0001, 1.1, 1.5, 2.7, 5.5, 12.5, 61.3, -0.02, -0.5, -1.3, -2.5, -7.5, -31.7}) {
+            int known = 0;
+            for (int round = 0; round < 60; ++round) {
+                RayPieces pieces;
+                for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+                    const double low = random() % 4 == 0 ? 0 : std::pow(10, uniform(random, -9, 4));
+                    const double size = low == 0 ? 1 : low;
+                    pieces.direction[0][lane] = 1;
+                    pieces.start[lane] = low;
+                    pieces.length[lane] =
+                        random() % 8 == 0 ? 0 : size * std::pow(10, uniform(random, -13, 3));
+                }
+                FunctionGraph graph;
+                const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
+                // A radius is known not to be negative.
+                const Expression base = round % 2 ? x : sqrt(sq(x) + sq(y));
+                const NodeId root = pow(base, x.number(exponent)).node();
+                QByteArray failure;
+                known += check(finish(std::move(graph), {root}, 3), {}, pieces, random, failure);
+                if (!failure.isEmpty()) QFAIL(QByteArray::number(exponent) + ": " + failure);
+            }
+            QVERIFY2(known > 500, qPrintable(QString("%1: %2").arg(exponent).arg(known)));
+        }
+    }
+
+    /// Odd numbers there once sent whole vectors of sines and powers to their slow way.
+    void whatIsBehindTheLastPieceIsLikeIt() {
+        constexpr std::size_t count = 3;  // of vectors with an even number of lanes
+        RayPieces pieces = piece({0.5, 1, 2}, {1, 2, 3}, 0.25, 0.5);
+        pieces.origin[1][count] = pieces.length[count] = 1e146;
+        std::array<std::array<double, 3 * batchLanes>, 3> all{};
+        const std::array<double*, 3> forms{all[0].data(), all[1].data(), all[2].data()};
+        writeRayPieceForms(pieces.columns(), nullptr, count, forms);
+        for (const auto& form : all)
+            for (std::size_t part = 0; part < 3; ++part) {
+                const double* const lanes = &form[part * batchLanes];
+                QVERIFY(lanes[count - 1] != 0);
+                QCOMPARE(lanes[count], lanes[count - 1]);
+            }
     }
 
     /// A bug once: the line through a tenth power of what changes by a third reached below 0, and the tenth

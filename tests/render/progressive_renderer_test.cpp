@@ -326,7 +326,7 @@ class ProgressiveRendererTest : public QObject {
                     renderer.progress();
                     asked->set_value();
                 });
-                const auto answer = asked->get_future().wait_for(std::chrono::seconds(2));
+                const auto answer = asked->get_future().wait_for(std::chrono::seconds(20));
                 answered += answer == std::future_status::ready;
                 delete scene;
                 ++gone;

@@ -153,7 +153,7 @@ class VerdictStudyTest : public QObject {
                     (void)worker.idle();
                     asked->set_value();
                 });
-                const auto answer = asked->get_future().wait_for(std::chrono::seconds(2));
+                const auto answer = asked->get_future().wait_for(std::chrono::seconds(20));
                 answered += answer == std::future_status::ready;
                 ++gone;
             });

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/study/view/surface_distance.h"
 

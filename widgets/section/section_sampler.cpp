@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/evaluate/point_evaluator.h"
+#include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/study/view/surface_distance.h"
 

@@ -137,7 +137,8 @@ class AffineAlgebra {
         return productOf(p, reciprocalOf(q, domain(1)));
     }
     HWY_INLINE Number divide(const Number& p, Uniform c) const {
-        // One division for all lanes. The factor is rounded, too; below its smallest it would be by more.
+        // One division for all lanes. The factor's rounding is added; that of a factor with fewer digits,
+        // below the normal numbers, would be larger.
         const Vector factor = hn::Div(constantVector(1), c.a);
         const Number scaled = scaledBy(p, factor);
         const Vector rounding =

@@ -26,35 +26,14 @@ class AffineWholeAlgebra : public AffineAlgebra {
         return hasSides(operation) || operation == Operation::add || operation == Operation::subtract ||
                operation == Operation::multiply || operation == Operation::divide;
     }
-    /// Calls run(operation) with an operation that is covered as a constant of the compiler.
-    template <class Run>
-    static HWY_INLINE void withCovered(Operation operation, Run run) {
-        switch (operation) {
-#define ISOSCOPE_CASE(name) \
-    case Operation::name: return run(std::integral_constant<Operation, Operation::name>());
-            ISOSCOPE_CASE(add)
-            ISOSCOPE_CASE(subtract)
-            ISOSCOPE_CASE(multiply)
-            ISOSCOPE_CASE(divide)
-            ISOSCOPE_CASE(floor)
-            ISOSCOPE_CASE(ceiling)
-            ISOSCOPE_CASE(truncate)
-            ISOSCOPE_CASE(fraction)
-            ISOSCOPE_CASE(integerDivide)
-            ISOSCOPE_CASE(remainder)
-            ISOSCOPE_CASE(arcTangent2)
-            ISOSCOPE_CASE(equal)
-            ISOSCOPE_CASE(notEqual)
-            ISOSCOPE_CASE(less)
-            ISOSCOPE_CASE(lessEqual)
-            ISOSCOPE_CASE(greater)
-            ISOSCOPE_CASE(greaterEqual)
-            ISOSCOPE_CASE(logicalAnd)
-            ISOSCOPE_CASE(logicalOr)
-            ISOSCOPE_CASE(select3)
-            ISOSCOPE_CASE(select4)
-#undef ISOSCOPE_CASE
-            default: return;
+    /// Calls run() with the operation as a constant of the compiler; not for operations that are not covered.
+    template <int number = 0, class Run>
+    static HWY_INLINE void withCovered(Operation operation, const Run& run) {
+        if constexpr (number < operationCount) {
+            constexpr auto candidate = static_cast<Operation>(number);
+            if constexpr (covers(candidate))
+                if (operation == candidate) return run(std::integral_constant<Operation, candidate>());
+            withCovered<number + 1>(operation, run);
         }
     }
 

@@ -41,8 +41,8 @@ std::vector<double> gradientsIn(const Isosurface& surface, std::span<const doubl
     }
     std::vector<double> lengths;
     for (const ValueAndGradient& one : all) {
-        const double length = std::hypot(one.gradient[0], one.gradient[1], one.gradient[2]);
-        if (length > 0 && length < GradientEvaluator::steepest) lengths.push_back(length);
+        const double length = slopeOf(one);
+        if (length > 0 && std::isfinite(length)) lengths.push_back(length);
     }
     std::ranges::sort(lengths);
     return lengths;

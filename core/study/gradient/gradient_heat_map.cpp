@@ -51,13 +51,10 @@ std::vector<double> slopesOnSurface(const RenderRequest& request, const TracedVi
     GradientEvaluator(placed.shape->prepared(*request.scene->parameterTable))
         .evaluate(points.x, points.y, points.z, found);
     for (std::size_t i = 0; i < found.size(); ++i) {
-        const auto& g = found[i].gradient;
-        const double length = std::hypot(g[0], g[1], g[2]);
+        const double slope = slopeOf(found[i]);
         // Hits of other objects do not lie on the level set.
         const double off = std::abs(found[i].value - placed.shape->rootSettings().threshold);
-        if (off <= length * tolerance + 1e-12)
-            slopes[points.pixels[i]] =
-                length < GradientEvaluator::steepest ? length : std::numeric_limits<double>::infinity();
+        if (off <= slope * tolerance + 1e-12) slopes[points.pixels[i]] = slope;
     }
     return slopes;
 }

@@ -97,8 +97,8 @@ std::vector<double> lengthsAt(const Scene& scene, const Isosurface& surface, con
     std::vector<double> lengths;
     for (const ValueAndGradient& at : found) {
         if (!std::isfinite(at.value)) continue;
-        const double length = std::hypot(at.gradient[0], at.gradient[1], at.gradient[2]);
-        if (length < GradientEvaluator::steepest)
+        const double length = slopeOf(at);
+        if (std::isfinite(length))
             lengths.push_back(length);
         else
             ++infinite;

@@ -56,10 +56,8 @@ bool GradientStudy::samplePoints() {
     std::vector<std::pair<double, unsigned>> steepest;
     for (unsigned i = 0; i < count; ++i) {
         if (leftOut_.holds(glm::dvec3(x[i], y[i], z[i]))) continue;
-        const auto& g = found[i].gradient;
-        const double length = std::hypot(g[0], g[1], g[2]);
-        if (std::isfinite(found[i].value) && length < GradientEvaluator::steepest)
-            steepest.push_back({length, i});
+        const double length = slopeOf(found[i]);
+        if (std::isfinite(found[i].value) && std::isfinite(length)) steepest.push_back({length, i});
     }
     const std::size_t kept = std::min(climbers, steepest.size());
     std::partial_sort(steepest.begin(), steepest.begin() + static_cast<std::ptrdiff_t>(kept), steepest.end(),

@@ -133,9 +133,8 @@ class CauseFinder {
         const double speed = glm::length(line.direction);
         double steepest = 0;
         for (const ValueAndGradient& one : at) {
-            const double slope = std::hypot(one.gradient[0], one.gradient[1], one.gradient[2]);
-            if (!std::isfinite(one.value) || !(slope < GradientEvaluator::steepest))
-                return CostCause::singularity;
+            const double slope = slopeOf(one);
+            if (!std::isfinite(one.value) || !std::isfinite(slope)) return CostCause::singularity;
             steepest = std::max(steepest, slope * speed);
         }
         // Rounding alone is no jump.

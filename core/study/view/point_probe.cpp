@@ -6,6 +6,7 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 
+#include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/study/view/surface_distance.h"
 
