@@ -1,67 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QCoreApplication>
-#include <QKeyEvent>
+#include <QPoint>
 #include <QSlider>
-#include <QStyle>
-#include <QStyleOptionSlider>
-#include <QTest>
-#include <QWheelEvent>
+#include <QString>
 #include <QWidget>
 
 namespace isoscope::test {
 
 /// Types any text; QTest::keyClicks stops the program at characters outside Latin-1.
-inline void type(QWidget* widget, const QString& text) {
-    for (const QChar c : text) {
-        const int key = c == '\n' ? Qt::Key_Return : 0;
-        QKeyEvent press(QEvent::KeyPress, key, Qt::NoModifier, c == '\n' ? QString("\r") : QString(c));
-        QCoreApplication::sendEvent(widget, &press);
-        QKeyEvent release(QEvent::KeyRelease, key, Qt::NoModifier, QString(c));
-        QCoreApplication::sendEvent(widget, &release);
-    }
-}
+void type(QWidget* widget, const QString& text);
 
 /// Turns the wheel by whole notches; true when somebody took the event.
-inline bool wheel(QWidget* widget, const QPoint& position, int notches,
-                  Qt::KeyboardModifiers modifiers = {}) {
-    QWheelEvent event(position, widget->mapToGlobal(position), {}, {0, 120 * notches}, Qt::NoButton,
-                      modifiers, Qt::NoScrollPhase, false);
-    QCoreApplication::sendEvent(widget, &event);
-    return event.isAccepted();
-}
+bool wheel(QWidget* widget, const QPoint& position, int notches, Qt::KeyboardModifiers modifiers = {});
 
-inline QPoint handleCenter(QSlider* slider) {
-    QStyleOptionSlider option;
-    option.initFrom(slider);
-    option.minimum = slider->minimum();
-    option.maximum = slider->maximum();
-    option.sliderPosition = option.sliderValue = slider->sliderPosition();
-    return slider->style()
-        ->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider)
-        .center();
-}
+/// Where the handle is, in the slider.
+QPoint handleCenter(QSlider* slider);
 
 /// Drags the handle with the mouse, in steps; the button stays down when `release` is false.
-inline void dragSlider(QSlider* slider, int pixels, int steps = 20, bool release = true) {
-    const QPoint from = handleCenter(slider);
-    QTest::mousePress(slider, Qt::LeftButton, {}, from);
-    for (int i = 1; i <= steps; ++i) {
-        const QPoint at = from + QPoint(pixels * i / steps, 0);
-        QMouseEvent move(QEvent::MouseMove, at, slider->mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
-                         Qt::NoModifier);
-        QCoreApplication::sendEvent(slider, &move);
-        QTest::qWait(2);
-    }
-    if (release) QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(pixels, 0));
-}
+void dragSlider(QSlider* slider, int pixels, int steps = 20, bool release = true);
 
 /// Whether the widget is on screen and has the focus, for keys that depend on it.
-inline bool showActive(QWidget* widget) {
-    widget->show();
-    widget->activateWindow();
-    return QTest::qWaitForWindowActive(widget);
-}
+bool showActive(QWidget* widget);
 
 }  // namespace isoscope::test
