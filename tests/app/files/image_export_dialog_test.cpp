@@ -32,7 +32,7 @@ std::shared_ptr<const Scene> redSphere(int repeats = 1) {
 }  // namespace
 
 /// What may be replaced: a picture, by its first bytes.
-const QByteArray picture("\x89PNG\r\n\x1a\nkept");
+const QByteArray keptPicture("\x89PNG\r\n\x1a\nkept");
 
 class ImageExportDialogTest : public QObject {
     Q_OBJECT
@@ -92,7 +92,7 @@ class ImageExportDialogTest : public QObject {
     void stoppedExportLeavesTheOldFileAlone() {
         QFile old(path("old.png"));
         QVERIFY(old.open(QIODevice::WriteOnly));
-        old.write(picture);
+        old.write(keptPicture);
         old.close();
         const auto dialog = open(redSphere(40), path("old.png"), {2400, 1800});
         QSignalSpy finished(dialog, &ImageExportDialog::finished);
@@ -104,7 +104,7 @@ class ImageExportDialogTest : public QObject {
         QVERIFY(!finished[0][1].toString().isEmpty());
         QVERIFY(!dialog->running());
         QVERIFY(old.open(QIODevice::ReadOnly));
-        QCOMPARE(old.readAll(), picture);
+        QCOMPARE(old.readAll(), keptPicture);
         dialog->close();
     }
 
@@ -112,14 +112,14 @@ class ImageExportDialogTest : public QObject {
     void anExistingFileIsReplacedOnlyAfterAQuestion() {
         QFile old(path("question.png"));
         QVERIFY(old.open(QIODevice::WriteOnly));
-        old.write(picture);
+        old.write(keptPicture);
         old.close();
         const auto dialog = open(redSphere(), path("question.png"), {40, 30});
         QTest::keyClick(dialog, Qt::Key_Return);
         QTest::keyClick(dialog, Qt::Key_Return);
         QVERIFY(!dialog->running());
         QVERIFY(old.open(QIODevice::ReadOnly));
-        QCOMPARE(old.readAll(), picture);
+        QCOMPARE(old.readAll(), keptPicture);
         // Another name is another question.
         dialog->setFile(path("other.png"));
         dialog->setFile(path("question.png"));
