@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
 #include "core/mesh/contour/cell_refinement.h"
 #include "core/mesh/contour/mesh_distance.h"
@@ -17,7 +18,7 @@ namespace isoscope {
 namespace {
 
 /// Cells are split once more, where samples are too far from the surface, so many times at most.
-constexpr int mostRounds = 14;
+constexpr int mostRounds = 100;
 /// The planes of the lattice lie so much of the tolerance inside of a box's walls.
 constexpr double insetShare = 0.25;
 /// Crossings are found to this part of the tolerance.
@@ -67,14 +68,18 @@ class IsosurfaceMesher {
             stop_);
         PolygonMesh made;
         MeshDistance distance;
-        for (int round = 0; !stop_.stop_requested(); ++round) {
-            findForm();
+        // What was split is looked at alone until it is near enough, then all again.
+        std::size_t before = 0;
+        for (int round = 0;; ++round) {
+            findForm(before);
             if (stop_.stop_requested()) break;
             made = makeTriangles(surface_, field_, tree_, samples_, tolerance_, samplers_, workers_, stop_);
             distance = measureDistance(made, tolerance_, samplers_, workers_, stop_);
             if (progress) progress(1 - 0.3 * std::pow(0.6, round + 1));
-            std::vector<std::uint32_t> coarse = coarseLeaves(distance.failing);
-            if (coarse.empty() || round == mostRounds || refinement_.limited()) break;
+            std::vector<std::uint32_t> coarse;
+            if (round < mostRounds && !refinement_.limited()) coarse = coarseLeaves(distance.failing);
+            if (stop_.stop_requested() || (coarse.empty() && before == 0)) break;
+            before = coarse.empty() ? 0 : tree_.size();
             refinement_.split(std::move(coarse), {}, stop_);
         }
         if (stop_.stop_requested()) return {{}, {}, "stopped"};
@@ -100,40 +105,76 @@ class IsosurfaceMesher {
         return limits;
     }
 
-    /// Finds the polygons, and splits leaves until what bulges into one from a finer neighbour hangs together
-    /// with the rest in it, or both are as fine.
-    void findForm() {
-        for (;;) {
-            surface_ = findPolygons(tree_, samples_, samplers_, workers_, stop_);
-            std::vector<std::uint32_t> parted = partedLeaves();
-            if (parted.empty() || refinement_.limited() || stop_.stop_requested()) return;
+    /// Finds the polygons around the cells that came after the first `before`, all where there are none, and
+    /// splits leaves until what bulges into one from a finer neighbour hangs together with the rest in it, or
+    /// both are as fine. Around those that are split the same is done first.
+    void findForm(std::size_t before) {
+        for (std::size_t from = before; !stop_.stop_requested();) {
+            around_ = from == 0 ? std::vector<std::uint32_t>() : leavesAround(tree_, from);
+            surface_ = findPolygons(tree_, samples_, samplers_, around_);
+            std::vector<std::uint32_t> parted;
+            if (!refinement_.limited()) parted = partedLeaves();
+            if (parted.empty() && from == before) break;
+            from = parted.empty() ? before : tree_.size();
             refinement_.split(std::move(parted), {}, stop_);
         }
+        std::vector<MinimalEdge> edges;
+        for (const SurfacePolygons::Polygon& polygon : surface_.polygons) edges.push_back(polygon.edge);
+        samples_.needCrossings(edges, samplers_, workers_, stop_);
     }
 
     /// The leaves with several sheets of which one has an edge of a finer neighbour: a part of the solid that
     /// reaches through a face between the corners would be cut off there. In others the corners, which have
-    /// been judged, make the sheets.
+    /// been judged, make the sheets. Those beside such a leaf have edges of a finer neighbour once it is
+    /// split.
     std::vector<std::uint32_t> partedLeaves() const {
-        std::vector<std::uint8_t> sheets(tree_.size(), 0), finer(tree_.size(), 0);
-        for (std::size_t vertex = 0; vertex < surface_.vertexCount(); ++vertex) {
-            const std::uint32_t cell = surface_.cells[vertex];
-            sheets[cell] = std::min(sheets[cell] + 1, 2);
-            for (std::uint32_t i = surface_.firstCorner[vertex]; i < surface_.firstCorner[vertex + 1]; ++i)
-                if (surface_.polygons[surface_.corners[i].polygon].edge.level > tree_[cell].level)
-                    finer[cell] = 1;
-        }
+        std::vector<std::uint8_t> sheets(tree_.size(), 0), seen = unasked();
+        for (const std::uint32_t cell : surface_.cells) sheets[cell] = std::min(sheets[cell] + 1, 2);
+        std::vector<std::uint32_t> vertices;  // of leaves with several sheets, leaf by leaf
+        for (std::uint32_t vertex = 0; vertex < surface_.vertexCount(); ++vertex)
+            if (sheets[surface_.cells[vertex]] > 1) vertices.push_back(vertex);
+        const auto leafOf = [&](std::uint32_t vertex) { return surface_.cells[vertex]; };
+        std::ranges::stable_sort(vertices, {}, leafOf);
         std::vector<std::uint32_t> leaves;
-        for (std::uint32_t cell = 0; cell < tree_.size(); ++cell)
-            if (sheets[cell] > 1 && finer[cell] != 0) leaves.push_back(cell);
+        const auto note = [&](std::uint32_t cell) {
+            if (sheets[cell] > 1 && std::exchange(seen[cell], 1) == 0) leaves.push_back(cell);
+        };
+        for (const std::uint32_t vertex : vertices)
+            forEachEdge(vertex, [&](const MinimalEdge& edge) {
+                if (edge.level > tree_[leafOf(vertex)].level) note(leafOf(vertex));
+            });
+        for (std::size_t next = 0; next < leaves.size(); ++next) {
+            const std::uint32_t leaf = leaves[next];
+            for (const std::uint32_t vertex : std::ranges::equal_range(vertices, leaf, {}, leafOf))
+                forEachEdge(vertex, [&](const MinimalEdge& edge) {
+                    for (const std::uint32_t cell : edge.cells)
+                        if (tree_[cell].level <= tree_[leaf].level) note(cell);
+                });
+        }
+        std::ranges::sort(leaves);
         return leaves;
+    }
+    /// 1 for the cells that the polygons are not known all around of.
+    std::vector<std::uint8_t> unasked() const {
+        std::vector<std::uint8_t> cells(tree_.size(), around_.empty() ? 0 : 1);
+        for (const std::uint32_t leaf : around_) cells[leaf] = 0;
+        return cells;
+    }
+    /// Calls visit(edge) for the edges of the polygons around a vertex.
+    template <class Visit>
+    void forEachEdge(std::uint32_t vertex, Visit visit) const {
+        for (std::uint32_t i = surface_.firstCorner[vertex]; i < surface_.firstCorner[vertex + 1]; ++i)
+            visit(surface_.polygons[surface_.corners[i].polygon].edge);
     }
 
     /// The largest leaves around polygons, those that may be split.
     std::vector<std::uint32_t> coarseLeaves(const std::vector<std::uint32_t>& polygons) const {
+        const std::vector<std::uint8_t> unknown = unasked();
         std::vector<std::uint32_t> leaves;
         for (const std::uint32_t p : polygons) {
             const MinimalEdge& edge = surface_.polygons[p].edge;
+            if (std::ranges::any_of(edge.cells, [&](std::uint32_t cell) { return unknown[cell] != 0; }))
+                continue;
             int coarsest = finest_;
             for (const std::uint32_t cell : edge.cells)
                 coarsest = std::min(coarsest, static_cast<int>(tree_[cell].level));
@@ -205,6 +246,7 @@ class IsosurfaceMesher {
     int finest_ = 0;
     CellRefinement refinement_;
     SurfacePolygons surface_;
+    std::vector<std::uint32_t> around_;  ///< the leaves that it was found around; all, where there are none
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ struct MeshSettings {
     /// not positive and finite stands for a part of the container's longest side (usualTolerance()).
     double tolerance = 0;
     /// Boxes of space that may be looked at, about 150 bytes each with what belongs to them.
-    std::size_t cellLimit = 4'000'000;
+    std::size_t cellLimit = 12'000'000;
     int threads = 0;  ///< 0 means all; the mesh is the same, bit by bit
 };
 

@@ -190,6 +190,14 @@ class IsosurfaceMeshTest : public QObject {
         }
     }
 
+    /// Along the joints of bricks each leaf that is split leaves its neighbour too coarse.
+    void leavesAreSplitAlongAJointToItsEnd() {
+        const SceneMesh made =
+            meshOf(statement("-f_brick(x, y, z)", "sphere { 0, 5 }", "threshold -0.5"), 0.04);
+        QCOMPARE(checkMesh(made.mesh).fault, std::string());
+        QVERIFY2(made.report.keepsTolerance(), qPrintable(QString::number(made.report.distance)));
+    }
+
     void theSameBytesForAnyNumberOfThreads() {
         const std::string text = statement("f_noise3d(4*x, 4*y, 4*z) - 0.5 + 0.2*max(x, y)",
                                            "sphere { 0, 1 }", "pigment { bozo scale 0.3 }");

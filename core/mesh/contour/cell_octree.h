@@ -37,6 +37,9 @@ struct Cell {
     bool leaf() const { return firstChild == 0; }
 };
 
+/// The corners of a cell together, a bit each by their numbers.
+constexpr unsigned allCorners = 255;
+
 /// Cells around the container of a solid, the first holds all of it. Where the interval enclosure of the
 /// function proves a cell to lie outside of the solid or inside it needs no children; the others are split
 /// as is asked for. Long functions are shortened from cell to cell by the choices that are decided in them.

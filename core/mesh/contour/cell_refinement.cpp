@@ -14,7 +14,6 @@ namespace isoscope {
 namespace {
 
 constexpr std::size_t cellsOfBatch = 128;
-constexpr unsigned allCorners = 255;
 /// Tangent planes may miss the point that they are fitted by so much of the tolerance. Triangles between such
 /// points are off by about thrice as much.
 constexpr double residualShare = 0.3;
@@ -108,17 +107,10 @@ void CellRefinement::keepLimit(std::vector<std::uint32_t>& leaves) {
     // Those with some of the surface first.
     std::erase_if(leaves, [&](std::uint32_t cell) {
         if (tree_[cell].level < limits_.coarsest) return false;
-        const unsigned inside = insideCorners(tree_[cell]);
+        const unsigned inside = samples_.cornersInside(cell);
         return inside == 0 || inside == allCorners;
     });
     if (tooMany()) leaves.clear();
-}
-
-unsigned CellRefinement::insideCorners(const Cell& cell) const {
-    unsigned inside = 0;
-    for (unsigned number = 0; number < 8; ++number)
-        if (samples_.corner(CellOctree::corner(cell, number)).inside) inside |= 1u << number;
-    return inside;
 }
 
 std::vector<std::uint8_t> CellRefinement::judge(std::span<const std::uint32_t> cells,
@@ -127,7 +119,7 @@ std::vector<std::uint8_t> CellRefinement::judge(std::span<const std::uint32_t> c
     for (const std::uint32_t number : cells) {
         const Cell& cell = tree_[number];
         if (cell.level < limits_.coarsest || cell.level >= limits_.finest) continue;
-        const unsigned inside = insideCorners(cell);
+        const unsigned inside = samples_.cornersInside(number);
         if (hasDoubtfulFace(inside)) continue;
         forEachCrossedEdge(inside, [&](unsigned corner, unsigned axis) {
             edges.push_back(edgeOf(number, cell, corner, axis));
@@ -171,7 +163,7 @@ void CellRefinement::judgeSome(std::span<const std::uint32_t> cells, std::span<s
         if (cell.level >= limits_.finest) continue;
         split[i] = 1;
         if (cell.level < limits_.coarsest) continue;
-        const unsigned inside = insideCorners(cell);
+        const unsigned inside = samples_.cornersInside(cells[i]);
         if (inside != 0 && inside != allCorners)
             split[i] = fitsCrossings(cell, inside, i, checks) ? 0 : 1;
         else if (cell.level >= limits_.proven)

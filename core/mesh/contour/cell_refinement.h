@@ -50,7 +50,6 @@ class CellRefinement {
                    SolidSampler& sampler) const;
     bool fitsCrossings(const Cell& cell, unsigned inside, std::size_t number,
                        std::vector<Check>& checks) const;
-    unsigned insideCorners(const Cell& cell) const;
     void keepLimit(std::vector<std::uint32_t>& leaves);
 
     const SolidField& field_;

@@ -2,6 +2,7 @@
 #include "core/mesh/contour/cell_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -25,12 +26,13 @@ void CellSamples::needCorners(std::span<const std::uint32_t> cells, SamplerPool&
     };
     const std::size_t known = corners_.size();
     std::vector<Wanted> wanted;
-    for (const std::uint32_t cell : cells)
+    std::vector<std::array<std::uint32_t, 8>> cornersOf(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
         for (unsigned number = 0; number < 8; ++number) {
-            const LatticePoint point = CellOctree::corner(tree_[cell], number);
+            const LatticePoint point = CellOctree::corner(tree_[cells[i]], number);
             const std::size_t before = corners_.size();
-            corners_.add(CellOctree::key(point));
-            if (corners_.size() > before) wanted.push_back({point, tree_.tape(tree_[cell])});
+            cornersOf[i][number] = corners_.add(CellOctree::key(point));
+            if (corners_.size() > before) wanted.push_back({point, tree_.tape(tree_[cells[i]])});
         }
     workers.run(batches(wanted.size(), cornersOfBatch), [&](std::size_t batch) {
         if (stop.stop_requested()) return;
@@ -53,9 +55,19 @@ void CellSamples::needCorners(std::span<const std::uint32_t> cells, SamplerPool&
             first = behind;
         }
     });
+    cornersInside_.resize(tree_.size(), 0);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        for (unsigned number = 0; number < 8; ++number)
+            if (corners_[cornersOf[i][number]].inside)
+                cornersInside_[cells[i]] |= static_cast<std::uint8_t>(1u << number);
 }
 
 bool CellSamples::endInside(const MinimalEdge& edge, bool high) const {
+    for (const std::uint32_t cell : edge.cells) {
+        const Cell& leaf = tree_[cell];
+        if (leaf.level == edge.level && leaf.sign == 0)
+            return (cornersInside(cell) >> edge.endIn(leaf, high) & 1) != 0;
+    }
     const std::uint32_t number = corners_.find(CellOctree::key(high ? edge.high() : edge.low));
     if (number != KeyTable<Corner>::none) return corners_[number].inside;
     for (const std::uint32_t cell : edge.cells)

@@ -37,12 +37,13 @@ class CellSamples {
     /// Finds out what is missing at the corners of cells.
     void needCorners(std::span<const std::uint32_t> cells, SamplerPool& samplers, WorkerPool& workers,
                      const std::stop_token& stop);
-    /// Whether a point is known, and what: it must be for the others.
-    bool knows(const LatticePoint& point) const {
-        return corners_.find(CellOctree::key(point)) != KeyTable<Corner>::none;
-    }
+    /// What is known of a point, which must be a corner of a cell that was asked for.
     const Corner& corner(const LatticePoint& point) const {
         return corners_[corners_.find(CellOctree::key(point))];
+    }
+    /// Which corners of a cell are inside, a bit each by their numbers; none where they were not asked for.
+    unsigned cornersInside(std::uint32_t cell) const {
+        return cell < cornersInside_.size() ? cornersInside_[cell] : 0;
     }
     /// Whether the low end of a minimal edge, or the high one, is inside: where no corner is known, a proof
     /// is.
@@ -59,7 +60,9 @@ class CellSamples {
     glm::dvec3 placeOf(const MinimalEdge& edge, const EdgeCrossing& crossing) const;
 
     /// The bytes that it holds, about.
-    std::size_t memory() const { return 24 * corners_.size() + 64 * crossings_.size(); }
+    std::size_t memory() const {
+        return 24 * corners_.size() + 64 * crossings_.size() + cornersInside_.size();
+    }
 
   private:
     const SolidField& field_;
@@ -67,6 +70,7 @@ class CellSamples {
     double closeness_;
     KeyTable<Corner> corners_;
     KeyTable<EdgeCrossing> crossings_;
+    std::vector<std::uint8_t> cornersInside_;
 };
 
 }  // namespace isoscope

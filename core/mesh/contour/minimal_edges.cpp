@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/contour/minimal_edges.h"
 
+#include <initializer_list>
+
 namespace isoscope {
 
 namespace {
@@ -11,12 +13,13 @@ using Around = std::array<std::uint32_t, 4>;
 
 class EdgeWalk {
   public:
-    EdgeWalk(const CellOctree& tree, const std::function<void(const MinimalEdge&)>& visit)
-        : tree_(tree), visit_(visit) {}
+    EdgeWalk(const CellOctree& tree, std::span<const std::uint8_t> marks,
+             const std::function<void(const MinimalEdge&)>& visit)
+        : tree_(tree), marks_(marks), visit_(visit) {}
 
     void inCell(std::uint32_t cell) {
         const Cell& here = tree_[cell];
-        if (here.leaf()) return;
+        if (here.leaf() || !marked({cell})) return;
         for (std::uint32_t k = 0; k < 8; ++k) inCell(here.firstChild + k);
         for (unsigned axis = 0; axis < 3; ++axis) {
             const unsigned along = 1u << axis, next = 1u << (axis + 1) % 3, last = 1u << (axis + 2) % 3;
@@ -35,11 +38,16 @@ class EdgeWalk {
     std::uint32_t part(std::uint32_t cell, unsigned number) const {
         return tree_[cell].leaf() ? cell : tree_[cell].firstChild + number;
     }
-    bool proven(std::uint32_t cell) const { return tree_[cell].leaf() && tree_[cell].sign != 0; }
+    /// Whether some cells have all marks together.
+    bool marked(std::initializer_list<std::uint32_t> cells) const {
+        unsigned marks = 0;
+        for (const std::uint32_t cell : cells) marks |= marks_[cell];
+        return marks == markedFully;
+    }
 
     /// Two cells that share a face across `axis`.
     void acrossFace(unsigned axis, std::uint32_t low, std::uint32_t high) {
-        if ((tree_[low].leaf() && tree_[high].leaf()) || (proven(low) && proven(high))) return;
+        if ((tree_[low].leaf() && tree_[high].leaf()) || !marked({low, high})) return;
         const unsigned across = 1u << axis, next = (axis + 1) % 3, last = (axis + 2) % 3;
         for (unsigned k = 0; k < 4; ++k) {
             const unsigned number = ((k & 1) << next) | ((k >> 1) << last);
@@ -58,12 +66,9 @@ class EdgeWalk {
     }
 
     void aroundEdge(unsigned axis, const Around& cells) {
-        bool leaves = true, sure = true;
-        for (const std::uint32_t cell : cells) {
-            leaves = leaves && tree_[cell].leaf();
-            sure = sure && proven(cell) && tree_[cell].sign == tree_[cells[0]].sign;
-        }
-        if (sure) return;
+        if (!marked({cells[0], cells[1], cells[2], cells[3]})) return;
+        bool leaves = true;
+        for (const std::uint32_t cell : cells) leaves = leaves && tree_[cell].leaf();
         if (leaves) return visitEdge(axis, cells);
         const unsigned next = 1u << (axis + 1) % 3, last = 1u << (axis + 2) % 3;
         for (const unsigned half : {0u, 1u << axis})
@@ -87,6 +92,7 @@ class EdgeWalk {
     }
 
     const CellOctree& tree_;
+    std::span<const std::uint8_t> marks_;
     const std::function<void(const MinimalEdge&)>& visit_;
 };
 
@@ -98,8 +104,15 @@ std::uint64_t MinimalEdge::key() const {
                                 std::uint64_t(low.z) + end.z);
 }
 
-void forEachMinimalEdge(const CellOctree& tree, const std::function<void(const MinimalEdge&)>& visit) {
-    EdgeWalk(tree, visit).inCell(0);
+void forEachMinimalEdge(const CellOctree& tree, std::span<std::uint8_t> marks,
+                        const std::function<void(const MinimalEdge&)>& visit) {
+    // Children follow their parents.
+    for (std::size_t cell = tree.size(); cell-- > 0;) {
+        if (tree[cell].leaf()) continue;
+        marks[cell] = 0;
+        for (std::uint32_t k = 0; k < 8; ++k) marks[cell] |= marks[tree[cell].firstChild + k];
+    }
+    EdgeWalk(tree, marks, visit).inCell(0);
 }
 
 }  // namespace isoscope

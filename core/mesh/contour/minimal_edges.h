@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 
 #include "core/mesh/contour/cell_octree.h"
 
@@ -24,13 +25,25 @@ struct MinimalEdge {
         end[axis] += std::uint32_t(1) << (CellOctree::deepest - level);
         return end;
     }
+    /// The number of the corner at one of its ends, in a leaf of its level around it.
+    unsigned endIn(const Cell& leaf, bool high) const {
+        unsigned number = high ? 1u << axis : 0;
+        for (unsigned other = 0; other < 3; ++other)
+            if (low[other] != leaf.low[other]) number |= 1u << other;
+        return number;
+    }
     /// Different for all edges of all levels.
     std::uint64_t key() const;
 };
 
-/// Calls visit(edge) for every minimal edge between leaves that are not all proven to have one sign, in an
-/// order that depends on the tree alone. After Ju, Losasso, Schaefer and Warren, "Dual contouring of Hermite
-/// data" (2002).
-void forEachMinimalEdge(const CellOctree& tree, const std::function<void(const MinimalEdge&)>& visit);
+/// What the leaves in a cell have, a bit each: corners outside of the solid, corners inside, and being asked
+/// for.
+enum CellMark : std::uint8_t { markedOutside = 1, markedInside = 2, markedAsked = 4, markedFully = 7 };
+
+/// Calls visit(edge) for every minimal edge around which leaves with all the marks are, in an order that
+/// depends on the tree alone. `marks` has a CellMark of each leaf; those of the other cells are set here.
+/// After Ju, Losasso, Schaefer and Warren, "Dual contouring of Hermite data" (2002).
+void forEachMinimalEdge(const CellOctree& tree, std::span<std::uint8_t> marks,
+                        const std::function<void(const MinimalEdge&)>& visit);
 
 }  // namespace isoscope

@@ -40,20 +40,19 @@ struct DoubtfulFace {
 
 class PolygonFinder {
   public:
-    PolygonFinder(const CellOctree& tree, const CellSamples& samples) : tree_(tree), samples_(samples) {}
-
-    std::vector<MinimalEdge> findEdges() {
-        std::vector<MinimalEdge> edges;
-        forEachMinimalEdge(tree_, [&](const MinimalEdge& edge) {
-            const bool lowInside = samples_.endInside(edge, false);
-            if (lowInside == samples_.endInside(edge, true)) return;
-            edges.push_back(edge);
-            result_.polygons.push_back({edge, lowInside});
-        });
-        return edges;
+    PolygonFinder(const CellOctree& tree, const CellSamples& samples, std::span<const std::uint32_t> leaves)
+        : tree_(tree), samples_(samples), marks_(tree.size(), 0) {
+        for (const std::uint32_t leaf : leaves) marks_[leaf] = markedAsked;
+        if (leaves.empty()) std::fill(marks_.begin(), marks_.end(), markedAsked);
+        for (std::uint32_t cell = 0; cell < tree_.size(); ++cell)
+            if (tree_[cell].leaf()) marks_[cell] |= sidesOf(cell);
     }
 
     SurfacePolygons find(SolidSampler& sampler) {
+        forEachMinimalEdge(tree_, marks_, [&](const MinimalEdge& edge) {
+            const bool lowInside = samples_.endInside(edge, false);
+            if (lowInside != samples_.endInside(edge, true)) result_.polygons.push_back({edge, lowInside});
+        });
         findPassages();
         JoinedSets sheets(4 * result_.polygons.size());
         joinAcrossFaces(sheets);
@@ -64,13 +63,21 @@ class PolygonFinder {
     }
 
   private:
+    /// On which sides of the surface a leaf has corners.
+    std::uint8_t sidesOf(std::uint32_t leaf) const {
+        const std::int8_t sign = tree_[leaf].sign;
+        const unsigned inside = sign == 0 ? samples_.cornersInside(leaf) : sign < 0 ? allCorners : 0;
+        if (inside == 0) return markedOutside;
+        return inside == allCorners ? markedInside : markedInside | markedOutside;
+    }
+
     void findPassages() {
         for (std::uint32_t p = 0; p < result_.polygons.size(); ++p) {
             const MinimalEdge& edge = result_.polygons[p].edge;
             for (unsigned k = 0; k < 4; ++k) {
                 const unsigned next = (k + 1) % 4;
                 std::uint32_t from = edge.cells[k], to = edge.cells[next];
-                if (from == to) continue;
+                if (from == to || ((marks_[from] | marks_[to]) & markedAsked) == 0) continue;
                 std::uint8_t fromQuarter = firstQuarter(edge, k), toQuarter = firstQuarter(edge, next);
                 if (from > to) {
                     std::swap(from, to);
@@ -217,6 +224,7 @@ class PolygonFinder {
 
     const CellOctree& tree_;
     const CellSamples& samples_;
+    std::vector<std::uint8_t> marks_;  ///< CellMark of the cells
     SurfacePolygons result_;
     std::vector<Passage> passages_;
     std::vector<DoubtfulFace> doubtful_;
@@ -225,12 +233,22 @@ class PolygonFinder {
 
 }  // namespace
 
-SurfacePolygons findPolygons(const CellOctree& tree, CellSamples& samples, SamplerPool& samplers,
-                             WorkerPool& workers, const std::stop_token& stop) {
-    PolygonFinder finder(tree, samples);
-    samples.needCrossings(finder.findEdges(), samplers, workers, stop);
+SurfacePolygons findPolygons(const CellOctree& tree, const CellSamples& samples, SamplerPool& samplers,
+                             std::span<const std::uint32_t> leaves) {
     const SamplerPool::Loan sampler(samplers);
-    return finder.find(*sampler);
+    return PolygonFinder(tree, samples, leaves).find(*sampler);
+}
+
+std::vector<std::uint32_t> leavesAround(const CellOctree& tree, std::size_t before) {
+    std::vector<std::uint8_t> marks(tree.size(), markedOutside | markedInside);
+    std::fill(marks.begin() + static_cast<std::ptrdiff_t>(before), marks.end(), markedFully);
+    std::vector<std::uint32_t> leaves;
+    forEachMinimalEdge(tree, marks, [&](const MinimalEdge& edge) {
+        leaves.insert(leaves.end(), edge.cells.begin(), edge.cells.end());
+    });
+    std::sort(leaves.begin(), leaves.end());
+    leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+    return leaves;
 }
 
 }  // namespace isoscope

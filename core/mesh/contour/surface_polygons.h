@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <stop_token>
+#include <span>
 #include <vector>
 
 #include "core/mesh/contour/cell_octree.h"
@@ -11,8 +11,6 @@
 #include "core/mesh/contour/minimal_edges.h"
 
 namespace isoscope {
-
-class WorkerPool;
 
 /// The form of the surface in an octree, without places: a polygon for each minimal edge with one end inside,
 /// with a vertex in each leaf around it. Where the edges of a leaf belong to several sheets, it has a vertex
@@ -52,8 +50,12 @@ struct SurfacePolygons {
     std::size_t vertexCount() const { return cells.size(); }
 };
 
-/// Finds the polygons, and where their edges are crossed. The corners of all unproven leaves must be known.
-SurfacePolygons findPolygons(const CellOctree& tree, CellSamples& samples, SamplerPool& samplers,
-                             WorkerPool& workers, const std::stop_token& stop);
+/// Finds the polygons. The corners of all unproven leaves must be known. Where some `leaves` are named, those
+/// around them alone: other leaves then lack vertices.
+SurfacePolygons findPolygons(const CellOctree& tree, const CellSamples& samples, SamplerPool& samplers,
+                             std::span<const std::uint32_t> leaves = {});
+/// The leaves of the tree around edges of those that came after the first `before` cells, themselves
+/// included.
+std::vector<std::uint32_t> leavesAround(const CellOctree& tree, std::size_t before);
 
 }  // namespace isoscope
