@@ -130,6 +130,23 @@ class GalleryWindowTest : public QObject {
         QVERIFY(d.rests());
     }
 
+    /// The page used to hide the picture of a text that was typed beside it.
+    void typingLeavesTheStartPage() {
+        WindowDriver d;
+        d->start({});
+        WindowDriver::trigger(d->actions()->startPage);
+        auto* page = d->findChild<StartPage*>();
+        QVERIFY(page->isVisible());
+        d->editor()->setFocus();
+        QTest::keyClicks(d->editor(), QStringLiteral(" "));
+        QVERIFY(!page->isVisible());
+        QVERIFY(d->editor()->hasFocus());
+        WindowDriver::trigger(d->actions()->startPage);
+        QVERIFY(page->isVisible());
+        d->editor()->undo();
+        QVERIFY(!page->isVisible());
+    }
+
     void theOwnCollectionSurvivesARestartAndRemovalIsUndone() {
         WindowDriver d;
         QVERIFY(d.openText("// A ball of mine.\nsphere { 0, 1 }\n", QStringLiteral("mine.pov")));

@@ -60,15 +60,26 @@ void paintPlaceMark(QPainter& painter, const QRect& area, const QPointF& at, con
     painter.setBrush(Qt::white);
     painter.drawEllipse(at, 1.5, 1.5);
     if (!label.isEmpty()) {
-        QRectF box = painter.fontMetrics().boundingRect(label);
-        box.setSize(box.size() + QSizeF(14, 6));
+        const QRectF room = QRectF(area).adjusted(4, 2, -4, -2);
+        const QSizeF padding(14, 6);
+        const QString shown = painter.fontMetrics().elidedText(
+            label, Qt::ElideRight, static_cast<int>(room.width() - padding.width()));
+        QRectF box = painter.fontMetrics().boundingRect(shown);
+        box.setSize(box.size() + padding);
         box.moveTopLeft(at + QPointF(ring + 6, -box.height() / 2));
-        if (box.right() > area.right() - 4) box.moveRight(at.x() - ring - 6);
-        box.moveTop(std::clamp(box.top(), area.top() + 2.0, area.bottom() - box.height() - 2.0));
+        if (box.right() > room.right()) box.moveRight(at.x() - ring - 6);
+        if (box.left() < room.left()) {
+            // Neither side has room: above the ring, or below it.
+            box.moveLeft(std::clamp(at.x() - box.width() / 2, room.left(),
+                                    std::max(room.left(), room.right() - box.width())));
+            box.moveBottom(at.y() - ring - 6);
+            if (box.top() < room.top()) box.moveTop(at.y() + ring + 6);
+        }
+        box.moveTop(std::clamp(box.top(), room.top(), std::max(room.top(), room.bottom() - box.height())));
         painter.setBrush(QColor(0x2b, 0x2e, 0x33, 225));
         painter.drawRoundedRect(box, 4, 4);
         painter.setPen(Qt::white);
-        painter.drawText(box, Qt::AlignCenter, label);
+        painter.drawText(box, Qt::AlignCenter, shown);
     }
     painter.restore();
 }

@@ -23,6 +23,8 @@ class StartPage : public QFrame {
     static bool wantedAtStart();
     /// Shows it with the focus in the search; the focus comes back when it closes.
     void open();
+    /// Hides it, where it is shown.
+    void leave();
 
   signals:
     /// Buttons of the page; it has closed by then.
@@ -36,7 +38,6 @@ class StartPage : public QFrame {
 
   private:
     void build();
-    void leave();
 
     GalleryPanel* gallery_ = nullptr;
     QCheckBox* always_ = nullptr;
