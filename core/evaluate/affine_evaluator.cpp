@@ -235,7 +235,22 @@ LaneChoices AffineEvaluator::decide(const Instruction& instruction, std::size_t 
     const AffineOperand second = twoSided ? operand(1) : AffineOperand{};
     const bool takesLower =
         instruction.operation != Operation::maximum && instruction.operation != Operation::absolute;
-    return decideAffineChoices(operand(0), second, takesLower, twoSided ? compared : nullptr, count);
+    LaneChoices choices =
+        decideAffineChoices(operand(0), second, takesLower, twoSided ? compared : nullptr, count);
+    if (compared == nullptr || !isSelect(instruction.operation)) return choices;
+    // Where all operands that may be taken are on one side, the sign is the same whichever is; a constant is
+    // the cheaper one to be left.
+    std::uint64_t above = ~std::uint64_t(0), below = above;
+    for (std::size_t k = 1; k < instruction.operandCount; ++k) {
+        const BeyondNumber beyond = lanesBeyond(operand(k), *compared, count);
+        above &= beyond.above, below &= beyond.below;
+    }
+    const std::uint64_t alike = above | below;
+    const bool takesLast = !workspace_.isUniform(instruction.operands[1]) &&
+                           workspace_.isUniform(instruction.operands[instruction.operandCount - 1]);
+    choices.first = takesLast ? choices.first & ~alike : choices.first | alike;
+    choices.second = takesLast ? choices.second | alike : choices.second & ~alike;
+    return choices;
 }
 
 void AffineEvaluator::placeArguments(const PieceColumns& pieces, std::size_t count, const RaySpread* spread) {

@@ -85,6 +85,10 @@ LaneChoices BoxEvaluator::decide(const Instruction& instruction, std::size_t cou
         instruction.operation == Operation::minimum || instruction.operation == Operation::maximum;
     const bool takesLower =
         instruction.operation != Operation::maximum && instruction.operation != Operation::absolute;
+    // A constant is the cheaper one to be left.
+    const bool takesLast = isSelect(instruction.operation) &&
+                           !workspace_.isUniform(instruction.operands[1]) &&
+                           workspace_.isUniform(instruction.operands[instruction.operandCount - 1]);
     struct Range {
         double low, high;
         bool sure;
@@ -106,6 +110,21 @@ LaneChoices BoxEvaluator::decide(const Instruction& instruction, std::size_t cou
     };
     LaneChoices choices;
     for (std::size_t lane = 0; lane < count; ++lane) {
+        if (compared != nullptr && isSelect(instruction.operation)) {
+            const auto allBeyond = [&](bool above) {
+                const Range number{*compared, *compared, true};
+                for (std::size_t k = 1; k < instruction.operandCount; ++k) {
+                    const Range side = operand(k, lane);
+                    if (!side.sure || !(above ? number.below(side) : side.below(number))) return false;
+                }
+                return true;
+            };
+            // Whichever is taken, the sign is the same.
+            if (allBeyond(true) || allBeyond(false)) {
+                (takesLast ? choices.second : choices.first) |= std::uint64_t(1) << lane;
+                continue;
+            }
+        }
         const Range p = operand(0, lane);
         // abs and select compare with 0.
         const Range q = twoSided ? operand(1, lane) : Range{0, 0, true};

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/evaluate/affine_evaluator.h"
+#include "core/evaluate/box_evaluator.h"
 #include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/gradient_evaluator.h"
 #include "core/function/builtins/builtin.h"
@@ -175,6 +176,54 @@ class TapeSimplifierTest : public QObject {
             qInfo("instructions left: %zu, by their values %zu; %zu points inside", bySign, byValue, inside);
             QVERIFY(2 * bySign < byValue);
             QVERIFY(inside > 100);
+        }
+    }
+
+    /// Of cases that are all on one side of the threshold one is left, though no condition is decided.
+    void casesOfOneSideAreOne() {
+        constexpr int count = 20;
+        constexpr double threshold = 0.475;  // between the cases 9 and 10
+        const auto cases = tapeOf([](auto x, auto y, auto z) {
+            Expression result = x.number(1);
+            for (int k = count; k-- > 0;) {
+                const Expression condition = sq(x) + sq(y) - sq(z + k) * 0.01;
+                const Expression value = x.number(static_cast<double>(k) / count);
+                result =
+                    k % 2 == 0 ? select(condition, value, result) : select(-condition, result, value, value);
+            }
+            return -result;
+        });
+        const TapeLinks links(*cases);
+        TapeSimplifier simplifier(links);
+        QCOMPARE(simplifier.choiceCount(), std::size_t(count));
+        const SignStakes signs{-threshold, simplifier.dependences()};
+        AffineEvaluator forms(cases, {});
+        BoxEvaluator boxes(cases, {});
+        PointEvaluator points(cases, {});
+        std::vector<LaneChoices> ofPiece, ofBox;
+        forms.evaluateChoices(alongX(0, 0, 0, 6), 1, nullptr, ofPiece, nullptr, &signs);
+        BoxLanes box;
+        for (std::size_t axis = 0; axis < 3; ++axis) box.low[axis][0] = -3, box.high[axis][0] = 3;
+        Interval values;
+        boxes.evaluateChoices(box, links.whole(), signs, {&values, 1}, ofBox);
+        std::mt19937_64 random(seed + 5);
+        std::uniform_real_distribution<double> place(-3, 3);
+        for (const bool isBox : {false, true}) {
+            const std::vector<LaneChoices>& choices = isBox ? ofBox : ofPiece;
+            SimplifiedTape left;
+            simplifier.simplify(choices, 1, 0, left);
+            // Those up to the first case beyond the threshold.
+            QCOMPARE(left.dependences.size(), std::size_t(count / 2));
+            int inside = 0;
+            for (int round = 0; round < 1000; ++round) {
+                const double x = place(random), y = isBox ? place(random) : 0, z = isBox ? place(random) : 0;
+                double value = 0;
+                points.evaluate({&x, 1}, {&y, 1}, {&z, 1}, {&value, 1}, left);
+                const bool wanted = points.evaluate(x, y, z) < -threshold;
+                QCOMPARE(value < -threshold, wanted);
+                inside += wanted;
+            }
+            QVERIFY(inside > 10 && inside < 990);
         }
     }
 

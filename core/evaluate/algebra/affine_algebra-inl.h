@@ -291,15 +291,17 @@ class AffineAlgebra {
         return {constantVector(domains_[2 * operand]), constantVector(domains_[2 * operand + 1])};
     }
 
-    /// Every value of either.
+    /// Every value of either: the least form with the mean of their slopes.
     static HWY_INLINE Number hullOf(const Number& p, const Number& q) {
-        const Vector a = half(hn::Add(p.a, q.a)), b = half(hn::Add(p.b, q.b));
-        const Vector apart = half(hn::Add(hn::Abs(hn::Sub(p.a, q.a)), hn::Abs(hn::Sub(p.b, q.b))));
-        const Vector magnitude =
-            hn::Add(hn::Add(hn::Abs(p.a), hn::Abs(q.a)), hn::Add(hn::Abs(p.b), hn::Abs(q.b)));
-        const Vector rounding = hn::Mul(magnitude, constantVector(4 * roundingUnit));
-        const Number both{a, b,
-                          hn::MulAdd(hn::Add(apart, hn::Max(p.e, q.e)), constantVector(inflation), rounding)};
+        const Vector b = half(hn::Add(p.b, q.b)), turn = half(hn::Abs(hn::Sub(p.b, q.b)));
+        const Vector reachOfP = hn::Add(p.e, turn), reachOfQ = hn::Add(q.e, turn);
+        const Vector high = hn::Max(hn::Add(p.a, reachOfP), hn::Add(q.a, reachOfQ));
+        const Vector low = hn::Min(hn::Sub(p.a, reachOfP), hn::Sub(q.a, reachOfQ));
+        const Vector size =
+            hn::Add(hn::Add(hn::Abs(high), hn::Abs(low)), hn::Add(hn::Abs(p.b), hn::Abs(q.b)));
+        const Vector rounding = hn::Mul(size, constantVector(4 * roundingUnit));
+        const Number both{half(hn::Add(high, low)), b,
+                          hn::MulAdd(half(hn::Sub(high, low)), constantVector(inflation), rounding)};
         const Mask known = hn::And(isKnown(p), isKnown(q));
         const Mask nowhere = hn::And(isUndefined(p), isUndefined(q));
         return chooseNumber(known, both, chooseNumber(nowhere, undefinedNumber(), unknownNumber()));

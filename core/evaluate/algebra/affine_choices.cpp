@@ -86,6 +86,15 @@ void decideAll(const AffineOperand& first, const AffineOperand& second, bool tak
     }
 }
 
+void compareAll(const AffineOperand& form, double number, std::size_t count, BeyondNumber& beyond) {
+    const Form other{constant(number), hn::Zero(Doubles()), hn::Zero(Doubles())};
+    for (std::size_t i = 0; i < count; i += hn::Lanes(Doubles())) {
+        const Order order = certainOrder(loadForm(form, i), other);
+        beyond.above |= bitsOf(order.above) << i;
+        beyond.below |= bitsOf(order.below) << i;
+    }
+}
+
 }  // namespace
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -94,16 +103,30 @@ HWY_AFTER_NAMESPACE();
 namespace isoscope {
 
 HWY_EXPORT(decideAll);
+HWY_EXPORT(compareAll);
+
+namespace {
+
+/// A bit for each of the first `count` lanes.
+std::uint64_t firstLanes(std::size_t count) {
+    return count < batchLanes ? (std::uint64_t(1) << count) - 1 : ~std::uint64_t(0);
+}
+
+}  // namespace
 
 LaneChoices decideAffineChoices(const AffineOperand& first, const AffineOperand& second, bool takesLower,
                                 const double* compared, std::size_t count) {
     LaneChoices choices;
     HWY_DYNAMIC_DISPATCH(decideAll)(first, second, takesLower, compared, count, choices);
-    if (count < batchLanes) {
-        const std::uint64_t used = (std::uint64_t(1) << count) - 1;
-        choices.first &= used, choices.second &= used;
-    }
+    choices.first &= firstLanes(count), choices.second &= firstLanes(count);
     return choices;
+}
+
+BeyondNumber lanesBeyond(const AffineOperand& form, double number, std::size_t count) {
+    BeyondNumber beyond;
+    HWY_DYNAMIC_DISPATCH(compareAll)(form, number, count, beyond);
+    beyond.above &= firstLanes(count), beyond.below &= firstLanes(count);
+    return beyond;
 }
 
 }  // namespace isoscope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "core/evaluate/algebra/affine_form.h"
 #include "core/evaluate/tape/tape_simplifier.h"
@@ -20,5 +21,12 @@ struct AffineOperand {
 /// counts: an operand that is certain to leave that to the other one is not taken.
 LaneChoices decideAffineChoices(const AffineOperand& first, const AffineOperand& second, bool takesLower,
                                 const double* compared, std::size_t count);
+
+/// Lanes, a bit for each.
+struct BeyondNumber {
+    std::uint64_t above = 0, below = 0;
+};
+/// In which of the first `count` lanes a form is certain to be above a number all along, and in which below it.
+BeyondNumber lanesBeyond(const AffineOperand& form, double number, std::size_t count);
 
 }  // namespace isoscope

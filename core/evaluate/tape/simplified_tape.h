@@ -27,6 +27,11 @@ constexpr bool isChoice(Operation operation) {
     }
 }
 
+/// Whether an operation takes one operand or another by the sign of its first one.
+constexpr bool isSelect(Operation operation) {
+    return operation == Operation::select3 || operation == Operation::select4;
+}
+
 /// Where up to 64 lanes take the sides of one choice: bit i stands for lane i.
 struct LaneChoices {
     std::uint64_t first = 0, second = 0;
@@ -43,7 +48,7 @@ struct LaneChoices {
 
 /// What of the value v of a choosing instruction the tape's result f depends on, as far as only the sign of
 /// f - threshold counts: on all of v, on the sign of v - threshold alone, or on that of -v - threshold alone.
-/// So it is for the operations of a union, an intersection or a difference.
+/// So it is for the operations of a union, an intersection or a difference, and for cases of cases.
 enum class SignDependence : std::int8_t { value = 0, sign = 1, oppositeSign = -1 };
 
 /// What an evaluation is for when only the sign of f - threshold matters: the threshold, and what of each

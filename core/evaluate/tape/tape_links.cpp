@@ -76,8 +76,11 @@ void TapeLinks::findStakes() {
         const SimplifiedTape::Link& link = whole_.links[i];
         const Operation operation = whole_.instructions[i].operation;
         if (operation == Operation::negate) put(link.operands[0], opposite(dependences[i]));
-        if (operation != Operation::minimum && operation != Operation::maximum) continue;
-        for (std::size_t k = 0; k < 2; ++k) put(link.operands[k], dependences[i]);
+        if (!isChoice(operation) || operation == Operation::absolute) continue;
+        // Of a select's first operand it is another sign that counts.
+        const std::size_t compared = isSelect(operation) ? 1 : 0;
+        for (std::size_t k = compared; k < whole_.instructions[i].operandCount; ++k)
+            put(link.operands[k], dependences[i]);
         if (!whole_.dependences.empty()) whole_.dependences[link.choice] = dependences[i];
     }
 }
