@@ -27,11 +27,19 @@ bool usesWraps(Operation operation) {
         case Operation::sine:
         case Operation::cosine:
         case Operation::cycle:
+        case Operation::triangleWave:
         case Operation::add:
         case Operation::subtract:
-        case Operation::multiply: return true;
+        case Operation::multiply:
+        case Operation::divide:
+        case Operation::remainder: return true;
         default: return false;
     }
+}
+
+bool isEven(Operation operation) {
+    return operation == Operation::absolute || operation == Operation::square ||
+           operation == Operation::hyperbolicCosine;
 }
 
 Interval valueOf(Operation operation, Operands operands, const CrackleSettings* crackle) {
@@ -111,6 +119,11 @@ IntervalGradient evaluateOperation(Operation operation, Operands operands, const
     bool wrapped = false;
     for (const IntervalGradient* operand : operands) wrapped = wrapped || operand->wrap != 0;
     if (!wrapped || usesWraps(operation)) return withoutWraps(operation, operands, crackle);
+    if (operands.size() == 1)
+        return acrossCut(*operands[0], isEven(operation), [&](const IntervalGradient& u) {
+            const IntervalGradient* const pointer = &u;
+            return withoutWraps(operation, {&pointer, 1}, crackle);
+        });
     std::array<IntervalGradient, 4> resolved;
     std::array<const IntervalGradient*, 4> pointers{};
     for (std::size_t k = 0; k < operands.size(); ++k) {

@@ -298,6 +298,40 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY(over(remainder, {Interval{-1.2, -0.8, false}, unit, unit}).bounded());
     }
 
+    void aCutThatChangesTheSignIsNoJumpForEvenFunctions() {
+        const Box behind{Interval{-2, -1, false}, Interval{-0.5, 0.5, false}, unit};
+        const auto half = over([](auto x, auto y, auto) { return cos(atan2(y, x) / 2); }, behind);
+        QVERIFY(half.bounded());
+        // On both sides of the cut, and not over the whole turn between them.
+        QVERIFY(half.value.high < 0.3 && half.steepness < 0.51);
+        QVERIFY(over([](auto x, auto y, auto) { return sq(atan2(y, x)); }, behind).bounded());
+        const auto moved = [](auto x, auto y, auto) { return sq(atan2(y, x) + 0.25); };
+        QCOMPARE(over(moved, behind).hazard, GradientHazard::jump);
+        const auto odd = [](auto x, auto y, auto) { return sin(atan2(y, x) / 2); };
+        QCOMPARE(over(odd, behind).hazard, GradientHazard::jump);
+        const Box step{Interval{0.8, 1.2, false}, unit, unit};
+        const auto fromMiddle = [](auto x, auto, auto) { return abs(mod(x, x.number(1)) - 0.5); };
+        QVERIFY(over(fromMiddle, step).bounded());
+        const auto beside = [](auto x, auto, auto) { return abs(mod(x, x.number(1)) - 0.25); };
+        QCOMPARE(over(beside, step).hazard, GradientHazard::jump);
+    }
+
+    void aDividedAngleIsNoJumpForWaves() {
+        const Box behind{Interval{-2, -1, false}, Interval{-0.5, 0.5, false}, unit};
+        const auto wave = [](double turns) {
+            return [turns](auto x, auto y, auto) {
+                return apply(Operation::triangleWave, turns * atan2(y, x) / (2 * std::numbers::pi));
+            };
+        };
+        QVERIFY(over(wave(3), behind).bounded());
+        QVERIFY(over(wave(3), behind).steepness < 1);
+        QCOMPARE(over(wave(2.5), behind).hazard, GradientHazard::jump);
+        const auto turned = [](auto x, auto y, auto) {
+            return mod(atan2(y, x) + 8, x.number(2 * std::numbers::pi));
+        };
+        QVERIFY(over(turned, behind).bounded());
+    }
+
     void noiseNarrowsWithTheBox() {
         const auto formula = [](auto x, auto y, auto z) { return noise(x.number(3), x, y, z); };
         const Interval small{0.3, 0.301, false};

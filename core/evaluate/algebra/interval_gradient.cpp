@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluate/algebra/interval_gradient.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -90,10 +91,25 @@ void settle(IntervalGradient& a) {
     for (const SlopeRange& range : a.bend) a.smooth = a.smooth && range.isFinite();
 }
 
+IntervalGradient afterWrap(const IntervalGradient& a) {
+    // Wraps are rounded, by every factor.
+    const double least = a.wrap * (1 - 1e-14), most = a.wrap * (1 + 1e-14);
+    IntervalGradient result = a;
+    result.value = a.value - Interval{std::min(least, most), std::max(least, most), false};
+    result.wrap = 0;
+    result.rootExponent = 0;
+    result.origin = 0;
+    return result;
+}
+
+bool cutsAroundZero(const IntervalGradient& a) {
+    return std::abs(a.cutAt - a.wrap / 2) <= 1e-14 * std::abs(a.wrap);
+}
+
 IntervalGradient resolveWrap(const IntervalGradient& a) {
     IntervalGradient result = a;
     if (a.wrap == 0) return result;
-    result.value = hull(a.value, a.value - Interval::point(a.wrap));
+    result.value = hull(a.value, afterWrap(a).value);
     result.wrap = 0;
     result.hazard = worse(a.hazard, GradientHazard::jump);
     result.smooth = false;
@@ -175,6 +191,7 @@ IntervalGradient scaled(const IntervalGradient& a, double factor) {
     if (factor == 0 && rangeOf(a.value).isFinite() && !a.value.maybeUndefined)
         return constant(Interval::point(0));
     result.wrap = a.wrap * factor;
+    result.cutAt = a.cutAt * factor;
     if (a.hazard > GradientHazard::jump) return result;
     for (std::size_t i = 0; i < 3; ++i)
         if (dependsOn(a.axes, i)) result.slope[i] = factor * a.slope[i];
@@ -212,6 +229,10 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
     result.hazard = worse(a.hazard, b.hazard);
     if (result.hazard > GradientHazard::jump) return hazardous(result.value, result.axes, result.hazard);
     result.wrap = a.wrap + b.wrap;
+    if (result.wrap != 0) {
+        const IntervalGradient& other = a.wrap != 0 ? b : a;
+        if (other.value.isPoint()) result.cutAt = (a.wrap != 0 ? a : b).cutAt + other.value.low;
+    }
     for (std::size_t i = 0; i < 3; ++i)
         if (dependsOn(result.axes, i)) result.slope[i] = a.slope[i] + b.slope[i];
     result.steepness = lengthOfSum(a.slope, a.steepness, b.slope, b.steepness);
@@ -287,6 +308,11 @@ IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, co
         });
     if (a.angleSteepness > 0 && b.angleSteepness > 0)
         result.angleSteepness = std::max(a.angleSteepness, b.angleSteepness);
+    if (a.isSumOfPowers() && a.rootExponent == b.rootExponent) {
+        result.rootExponent = a.rootExponent;
+        result.rootSteepness = std::max(a.rootSteepness, b.rootSteepness);
+        for (std::size_t k = 0; k < 6; ++k) result.rootSpread[k] = hull(a.rootSpread[k], b.rootSpread[k]);
+    }
     settle(result);
     return result;
 }

@@ -28,11 +28,6 @@ IntervalGradient extremum(Operation operation, const IntervalGradient& a, const 
     if (!mayJump(a, b) && lower.value.high <= upper.value.low) return isMinimum ? lower : upper;
     IntervalGradient result = either(a, b, valueOf(operation, a, b));
     if (mayJump(a, b)) result.hazard = worse(result.hazard, GradientHazard::jump);
-    if (a.isSumOfPowers() && a.rootExponent == b.rootExponent && result.bounded()) {
-        result.rootExponent = a.rootExponent;
-        result.rootSteepness = std::max(a.rootSteepness, b.rootSteepness);
-        for (std::size_t k = 0; k < 6; ++k) result.rootSpread[k] = hull(a.rootSpread[k], b.rootSpread[k]);
-    }
     return result;
 }
 
@@ -67,6 +62,16 @@ IntervalGradient maximumOf(const IntervalGradient& a, const IntervalGradient& b)
 }
 
 IntervalGradient remainderOf(const IntervalGradient& a, const IntervalGradient& b) {
+    if (b.wrap != 0) return remainderOf(a, resolveWrap(b));
+    if (a.wrap != 0) {
+        // It repeats itself while the dividend keeps its sign.
+        const Interval after = afterWrap(a).value;
+        const bool keepsSign =
+            std::min(after.low, a.value.low) >= 0 || std::max(after.high, a.value.high) <= 0;
+        if (keepsSign && b.isConstant() && b.value.isPoint() && isWhole(a.wrap, b.value.low))
+            return remainderOf(withoutCut(a), b);
+        return acrossCut(a, false, [&](const IntervalGradient& u) { return remainderOf(u, b); });
+    }
     const Interval value = mod(a.value, b.value);
     const std::uint8_t axes = a.axes | b.axes;
     if (axes == 0) return constant(value);
@@ -99,6 +104,7 @@ IntervalGradient remainderOf(const IntervalGradient& a, const IntervalGradient& 
     if (!continued.bounded()) return result;
     result = continued;
     result.wrap = b.value.low;
+    result.cutAt = first >= 0 ? b.value.low : 0;
     return result;
 }
 
@@ -123,6 +129,7 @@ IntervalGradient selectOf(Operands operands) {
         result.rootExponent = 0;
         result.origin = 0;
         result.wrap = -operands[2]->value.low;
+        result.cutAt = std::numeric_limits<double>::quiet_NaN();
         return result;
     }
     Interval value = hull(negative.value, positive.value);

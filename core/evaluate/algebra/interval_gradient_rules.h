@@ -28,6 +28,10 @@ std::array<SlopeRange, 6> spreadWithin(double steepness);
 /// Tells `result`, the sum of two sums of powers with the same exponent, what is known of its root.
 void addRoots(const IntervalGradient& s, const IntervalGradient& t, IntervalGradient& result);
 
+/// Whether a wrap is none for functions of this period, and the operand of such a function.
+bool isWhole(double wrap, double period);
+IntervalGradient withoutCut(const IntervalGradient& u);
+
 /// Operations of one value, wraps resolved where the operation cannot use them.
 IntervalGradient elementary(Operation operation, const IntervalGradient& u);
 
