@@ -99,6 +99,35 @@ std::vector<std::uint8_t> axesWithout(const Tape& tape, std::size_t left) {
     return all;
 }
 
+/// Whether the root of each instruction's result may be asked for.
+std::vector<bool> wantedRoots(const Tape& tape) {
+    std::vector<bool> slots(tape.slotCount()), all(tape.instructions().size());
+    for (std::size_t i = all.size(); i-- > 0;) {
+        const Instruction& instruction = tape.instructions()[i];
+        const bool wanted = all[i] = slots[instruction.target];
+        slots[instruction.target] = false;
+        switch (instruction.operation) {
+            case Operation::squareRoot:
+            case Operation::power: slots[instruction.operands[0]] = true; break;
+            case Operation::absolute:
+            case Operation::add:
+            case Operation::multiply:
+            case Operation::divide:
+            case Operation::square:
+                for (std::size_t k = 0; wanted && k < instruction.operandCount; ++k)
+                    slots[instruction.operands[k]] = true;
+                break;
+            case Operation::sum:
+            case Operation::product:
+                // What becomes of them in the loop is not looked into.
+                for (const Slot slot : tape.loop(instruction.index).captured) slots[slot] = true;
+                break;
+            default: break;
+        }
+    }
+    return all;
+}
+
 /// The first root of a tape without loops through which alone two or three coordinates count.
 std::optional<std::size_t> foldOf(const Tape& tape) {
     // Looking for one takes the square of this.
@@ -142,6 +171,7 @@ IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape>
         loops_.push_back(
             std::make_unique<IntervalGradientEvaluator>(tape_->loops()[k].body, uniforms.loops[k]));
     fold_ = foldOf(*tape_);
+    wantedRoots_ = wantedRoots(*tape_);
 }
 
 IntervalGradientEvaluator::IntervalGradientEvaluator(const PreparedFunction& function)
@@ -205,6 +235,7 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
         IntervalGradient& target = slots_[instructions[i].target];
         if (i != fold_) {
             target = execute(instructions[i], i, loopAllowance);
+            target.root.known = target.root.known && wantedRoots_[i];
         } else if (folds_) {
             const auto axis = static_cast<std::size_t>(lastFold_.axis);
             target = coordinate(axis, lastFold_.value);

@@ -76,6 +76,7 @@ class IntervalGradientEvaluator {
     std::vector<IntervalGradient> slots_;
     std::vector<std::unique_ptr<IntervalGradientEvaluator>> loops_;
     std::vector<bool> open_;           ///< by instruction: the choices that the last box left open
+    std::vector<bool> wantedRoots_;    ///< by instruction: whether IntervalGradient::root is of use
     bool keepsOpen_ = false;           ///< whether these stay as they are
     bool takesSides_ = false;          ///< whether they are taken as `sides_` says
     std::optional<std::size_t> fold_;  ///< its instruction

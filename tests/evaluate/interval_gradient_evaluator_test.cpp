@@ -96,18 +96,50 @@ QString contradiction(const IntervalGradient& answer, ReferenceEvaluator& refere
 
 }  // namespace
 
+/// Roots of sums of powers of random functions of each coordinate, of every kind of exponent.
+Function randomNorm(std::mt19937_64& random) {
+    const auto number = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    return functionOf([&](auto x, auto y, auto z) {
+        const double exponents[] = {1, 1.5, 2, 2, 2.6, 4, 5, 2 / 0.3};
+        const double e = exponents[random() % std::size(exponents)];
+        const auto part = [&] {
+            const auto along = number(-2, 2) * x + number(-2, 2) * y + number(-1, 1) * z;
+            const auto u = random() % 3 == 0   ? sin(along)
+                           : random() % 2 == 0 ? along + number(-1, 1)
+                                               : sq(along);
+            if (e == 2 && random() % 2 == 0) return sq(u);
+            if (e == 4 && random() % 2 == 0) return pow(u, u.number(4));
+            return pow(abs(u), u.number(e));
+        };
+        auto sum = number(0.1, 2) * part() + part();
+        if (random() % 3 == 0) sum = sum + part() / 3;
+        if (random() % 3 == 0) sum = sum + number(0, 0.5);
+        const double root = random() % 4 == 0 ? number(1, 3) / e : 1 / e;
+        return root == 0.5 ? sqrt(sum) : pow(sum, x.number(root));
+    });
+}
+
 class IntervalGradientEvaluatorTest : public QObject {
     Q_OBJECT
 
   private:
     static Checks holdFor(std::span<const Operation> operations, int rounds, std::uint64_t start) {
-        std::mt19937_64 random(start);
         RandomFunctionSettings settings;
         settings.operations.assign(operations.begin(), operations.end());
+        return holdForAll(rounds, start, [&](std::mt19937_64& random) {
+            settings.nodes = 1 + static_cast<int>(random() % 10);
+            return randomFunction(random, settings);
+        });
+    }
+
+    template <class Draw>
+    static Checks holdForAll(int rounds, std::uint64_t start, Draw draw) {
+        std::mt19937_64 random(start);
         Checks checks;
         for (int round = 0; round < rounds; ++round) {
-            settings.nodes = 1 + static_cast<int>(random() % 10);
-            const Function function = randomFunction(random, settings);
+            const Function function = draw(random);
             const auto tape = Tape::compile(function);
             IntervalGradientEvaluator evaluator(tape, parameters);
             ReferenceEvaluator reference(function);
@@ -149,6 +181,29 @@ class IntervalGradientEvaluatorTest : public QObject {
             power,   arcTangent2, hyperbolicTangent, arcSine,     areaTangent, areaCosine, hyperbolicCosine};
         const Checks checks = holdFor(smooth, 3000, seed + 1);
         QVERIFY2(checks.bends > 10000, qPrintable(QString::number(checks.bends)));
+    }
+
+    void rootsOfSumsOfPowersStayWithinTheirBounds() {
+        const Checks checks = holdForAll(20000, seed + 4, randomNorm);
+        QVERIFY2(checks.slopes > 100000 && checks.bends > 50000, qPrintable(QString::number(checks.bends)));
+    }
+
+    /// Not as wide as what the sum and its root say one after the other.
+    void normsHaveSharpSlopes() {
+        const Box box{Interval{0.3, 0.7, false}, Interval{0.9, 1.1, false}, unit};
+        const IntervalGradient circle = over([](auto x, auto y, auto) { return sqrt(sq(x) + sq(y)); }, box);
+        const double least = 0.3 / std::hypot(0.3, 1.1), most = 0.7 / std::hypot(0.7, 0.9);
+        QVERIFY(std::abs(circle.slope[0].low - least) < 1e-9 && std::abs(circle.slope[0].high - most) < 1e-9);
+        // A section with rounded corners, across the middle of a side: straight there, and no kink.
+        const Box side{Interval{-0.1, 0.1, false}, Interval{0.9, 1.1, false}, unit};
+        const IntervalGradient section = over(
+            [](auto x, auto y, auto) {
+                return pow(pow(abs(x), x.number(4)) + pow(abs(y), x.number(4)), x.number(0.25));
+            },
+            side);
+        QVERIFY(section.smooth && !section.pieced);
+        QVERIFY(section.slope[0].size() < 0.0015 && section.slope[1].low > 0.999);
+        QVERIFY(section.bend[bendIndex(0, 0)].size() < 0.05);
     }
 
     /// From a point, with the choices of the box left open, bends lead to the slopes everywhere in the box.

@@ -21,8 +21,7 @@ double lengthOfSum(const std::array<SlopeRange, 3>& u, double longestU, const st
     return std::min(raised(longestU + longestV), rootAbove(raised(squares + twiceDot)));
 }
 
-/// Exponents that come out of different products are the same but for rounding.
-bool sameExponent(double a, double b) { return std::abs(a - b) <= 1e-14 * a; }
+bool sameExponent(double a, double b) { return std::abs(a - b) <= sameExponents * a; }
 
 }  // namespace
 
@@ -200,7 +199,9 @@ IntervalGradient scaled(const IntervalGradient& a, double factor) {
         forEachBend(a.axes,
                     [&](std::size_t, std::size_t, std::size_t k) { result.bend[k] = factor * a.bend[k]; });
     result.rootExponent = factor > 0 ? a.rootExponent : 0;
+    result.root.known = result.root.known && result.isSumOfPowers();
     if (result.isSumOfPowers()) {
+        result.root = scaledRoot(a.root, Interval::point(factor), a.rootExponent);
         result.rootSteepness = raised(std::pow(factor, 1 / a.rootExponent) * (1 + 1e-14) * a.rootSteepness);
         forEachBend(a.axes, [&](std::size_t, std::size_t, std::size_t k) {
             result.rootSpread[k] = factor * a.rootSpread[k];
@@ -243,10 +244,16 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
                     [&](std::size_t, std::size_t, std::size_t k) { result.bend[k] = a.bend[k] + b.bend[k]; });
     if (a.isSumOfPowers() && b.isSumOfPowers() && sameExponent(a.rootExponent, b.rootExponent)) {
         addRoots(a, b, result);
+        if (a.rootExponent == b.rootExponent)
+            result.root = joinedRoot(a.root, b.root, a.rootExponent, result.axes);
     } else if ((a.isSumOfPowers() && b.isConstant() && b.value.low >= 0) ||
                (b.isSumOfPowers() && a.isConstant() && a.value.low >= 0)) {
         // A positive constant only flattens the root.
-        const IntervalGradient& powers = a.isSumOfPowers() ? a : b;
+        const bool first = a.isSumOfPowers();
+        const IntervalGradient& powers = first ? a : b;
+        if (powers.root.known)
+            result.root = joinedRoot(powers.root, constantRoot((first ? b : a).value, powers.rootExponent),
+                                     powers.rootExponent, result.axes);
         result.rootExponent = powers.rootExponent;
         result.rootSteepness = powers.rootSteepness;
         result.rootSpread = powers.rootSpread;
@@ -269,6 +276,10 @@ void makeSquare(const IntervalGradient& a, const IntervalGradient& b, IntervalGr
     result.value.low = std::max(0.0, result.value.low);
     result.rootExponent = 2;
     result.rootSteepness = rootAbove(raised(a.steepness * b.steepness));
+    const std::size_t axis = static_cast<std::size_t>(std::abs(a.origin)) - 1;
+    if (a.value == b.value && a.slope[axis].low == b.slope[axis].low &&
+        a.slope[axis].high == b.slope[axis].high)
+        result.root = rootOf(a);
     forEachBend(result.axes, [&](std::size_t i, std::size_t j, std::size_t k) {
         // Parts of one gradient, up to a factor: on the diagonal they have the same sign.
         result.rootSpread[k] = a.slope[i] * b.slope[j];

@@ -21,6 +21,16 @@ enum class GradientHazard : std::uint8_t {
     unknown,    ///< no bounds exist for the operation
 };
 
+/// A function whose magnitude is the root of a sum of powers, over a box: of |u|^e it is u itself, of the sum
+/// of two the norm of their roots. Slopes hold wherever it is differentiable.
+struct PowerRoot {
+    bool known = false;
+    bool smooth = false;  ///< twice differentiable in the whole box; `bend` is known
+    SlopeRange value;
+    std::array<SlopeRange, 3> slope{};
+    std::array<SlopeRange, 6> bend{};
+};
+
 /// A value over a box with its derivatives in x, y and z. Sound: every value lies in `value`, and wherever
 /// the function is differentiable its derivatives lie in the ranges. While `hazard` is none the function is
 /// Lipschitz on the box (where it is defined), and `steepness` is a Lipschitz constant.
@@ -53,6 +63,7 @@ struct IntervalGradient {
     /// For e = 2 also ranges of the matrix that sums up grad(u_i) grad(u_i)^T: sqrt(s) has no gradient longer
     /// than the root of its largest eigenvalue.
     std::array<SlopeRange, 6> rootSpread{};
+    PowerRoot root;  ///< of such a sum
 
     /// Whether the value depends on no coordinate, whether it is a sum of powers whose root is known
     /// (rootSteepness), and whether the function is Lipschitz on the box with the constant `steepness`.

@@ -44,7 +44,7 @@ bool isOpenChoice(Operation operation, Operands operands) {
 
 IntervalGradient openChoice(Operation operation, Operands operands) {
     const IntervalGradient& a = *operands[0];
-    if (operation == Operation::absolute) return either(a, scaled(a, -1), abs(a.value));
+    if (operation == Operation::absolute) return magnitudeOf(a);
     return either(a, *operands[1], valueOf(operation, a, *operands[1]));
 }
 

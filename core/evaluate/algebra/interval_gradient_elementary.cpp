@@ -23,7 +23,7 @@ Derivatives derivatives(const Interval& first, const Interval& second) {
 IntervalGradient absoluteOf(const IntervalGradient& u) {
     if (u.value.empty() || u.value.low >= 0) return u;
     if (u.value.high <= 0) return scaled(u, -1);
-    return either(u, scaled(u, -1), abs(u.value));
+    return magnitudeOf(u);
 }
 
 IntervalGradient logarithmOf(const IntervalGradient& u, const Interval& value, double factor) {
@@ -101,6 +101,15 @@ IntervalGradient areaOf(Operation operation, const IntervalGradient& u) {
 }
 
 }  // namespace
+
+IntervalGradient magnitudeOf(const IntervalGradient& u) {
+    IntervalGradient result = either(u, scaled(u, -1), abs(u.value));
+    if (result.hazard > GradientHazard::jump || result.isConstant()) return result;
+    result.rootExponent = 1;
+    result.rootSteepness = u.steepness;
+    result.root = rootOf(u);
+    return result;
+}
 
 bool isWhole(double wrap, double period) {
     const double turns = wrap / period;
@@ -213,6 +222,7 @@ IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b) 
         result.rootExponent = a.rootExponent;
         result.rootSteepness =
             raised(a.rootSteepness * std::pow(inverse.high, 1 / a.rootExponent) * (1 + 1e-14));
+        result.root = scaledRoot(a.root, inverse, a.rootExponent);
         for (std::size_t k = 0; k < 6; ++k) result.rootSpread[k] = rangeOf(inverse) * a.rootSpread[k];
     }
     return result;

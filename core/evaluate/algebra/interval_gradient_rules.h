@@ -28,10 +28,24 @@ std::array<SlopeRange, 6> spreadWithin(double steepness);
 /// Tells `result`, the sum of two sums of powers with the same exponent, what is known of its root.
 void addRoots(const IntervalGradient& s, const IntervalGradient& t, IntervalGradient& result);
 
+/// Exponents that come out of different products are the same but for rounding.
+constexpr double sameExponents = 1e-14;
+
+/// What is known of u as the root of |u|^e, of a constant that is not negative as a power, of the root of
+/// s times a positive factor, and of the root of the sum of two powers with the same exponent.
+PowerRoot rootOf(const IntervalGradient& u);
+PowerRoot constantRoot(const Interval& value, double exponent);
+PowerRoot scaledRoot(const PowerRoot& root, const Interval& factor, double exponent);
+PowerRoot joinedRoot(const PowerRoot& a, const PowerRoot& b, double exponent, std::uint8_t axes);
+/// Narrows slopes and bends of `result` to those of |root|^exponent, for an exponent >= 1; to be settled.
+void usePowerOfRoot(const PowerRoot& root, double exponent, IntervalGradient& result);
+
 /// Whether a wrap is none for functions of this period, and the operand of such a function.
 bool isWhole(double wrap, double period);
 IntervalGradient withoutCut(const IntervalGradient& u);
 
+/// |u|, where u may be 0.
+IntervalGradient magnitudeOf(const IntervalGradient& u);
 /// Operations of one value, wraps resolved where the operation cannot use them.
 IntervalGradient elementary(Operation operation, const IntervalGradient& u);
 
