@@ -53,7 +53,7 @@ IntervalGradient twoOperands(Operation operation, Operands operands) {
     const IntervalGradient& b = *operands[1];
     switch (operation) {
         case Operation::add: return sum(a, b);
-        case Operation::subtract: return sum(a, scaled(b, -1));
+        case Operation::subtract: return sum(a, b.isConstant() ? constant(-b.value) : scaled(b, -1));
         case Operation::multiply: return product(a, b);
         case Operation::divide: return quotient(a, b);
         case Operation::power: return power(a, b);
@@ -187,6 +187,8 @@ const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Inte
     const auto argumentCount = static_cast<std::size_t>(tape_->argumentCount());
     for (std::size_t k = 0; k < argumentCount; ++k)
         slots_[k] = k < 3 ? coordinate(k, box[k]) : constant(Interval::point(0));
+    // What is not smooth has no second derivatives, nor has what is made of it.
+    for (std::size_t k = 0; k < std::min<std::size_t>(argumentCount, 3); ++k) slots_[k].smooth = bends_;
     const bool ended = run(LoopRange::topAllowance);
     IntervalGradient& answer = slots_[tape_->results()[result]];
     if (!ended) answer = hazardous(Interval::unknown(), 7, GradientHazard::unknown);
@@ -196,9 +198,16 @@ const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Inte
     return answer;
 }
 
+const IntervalGradient& IntervalGradientEvaluator::evaluateSlopes(std::span<const Interval, 3> point) {
+    bends_ = false;
+    const IntervalGradient& answer = evaluate(point);
+    bends_ = true;
+    return answer;
+}
+
 const IntervalGradient& IntervalGradientEvaluator::evaluatePieces(std::span<const Interval, 3> point) {
     keepsOpen_ = true;
-    const IntervalGradient& answer = evaluate(point);
+    const IntervalGradient& answer = evaluateSlopes(point);
     keepsOpen_ = false;
     return answer;
 }
@@ -211,6 +220,7 @@ const IntervalGradient& IntervalGradientEvaluator::evaluatePiece(std::span<const
                                                                  unsigned sides) {
     takesSides_ = true;
     sides_ = sides;
+    margins_.clear();
     const IntervalGradient& answer = evaluate(box);
     takesSides_ = false;
     return answer;
@@ -260,6 +270,7 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
     if (takesSides_ && open_[index]) {
         const bool second = (sides_ & 1) != 0;
         sides_ >>= 1;
+        margins_.push_back(marginOf(instruction.operation, all, second));
         return takenSide(instruction.operation, all, second);
     }
     if (!keepsOpen_ && !takesSides_) open_[index] = isOpenChoice(instruction.operation, all);

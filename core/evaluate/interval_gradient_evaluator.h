@@ -37,7 +37,10 @@ class IntervalGradientEvaluator {
     /// valid until the next call.
     const IntervalGradient& evaluate(std::span<const Interval, 3> box, std::size_t result = 0);
 
-    /// Result 0 at a point of the box of the last evaluate(), with the choices left open that were open in
+    /// Result 0 at a point, without second derivatives.
+    const IntervalGradient& evaluateSlopes(std::span<const Interval, 3> point);
+
+    /// The same at a point of the box of the last evaluate(), with the choices left open that were open in
     /// that box: what all pieces are at the point.
     const IntervalGradient& evaluatePieces(std::span<const Interval, 3> point);
 
@@ -48,6 +51,10 @@ class IntervalGradientEvaluator {
     /// the first operand (or the operand of abs), 1 for the second (or minus it). In the box of that
     /// evaluate(), or a part of it, the function is one of these at each place.
     const IntervalGradient& evaluatePiece(std::span<const Interval, 3> box, unsigned sides);
+    /// Of the last evaluatePiece(): by how much each side was taken rather than the other, choice by choice.
+    /// Where one of these is below 0 the function is another piece. Unbounded for a choice of what may be
+    /// undefined.
+    std::span<const IntervalGradient> margins() const { return margins_; }
 
     /// An operand through which alone the function depends on two or three coordinates, such as the distance
     /// from an axis, as it is over the box of the last evaluate(). Everything else depends on the others.
@@ -75,8 +82,10 @@ class IntervalGradientEvaluator {
     std::shared_ptr<const Tape> tape_;
     std::vector<IntervalGradient> slots_;
     std::vector<std::unique_ptr<IntervalGradientEvaluator>> loops_;
+    std::vector<IntervalGradient> margins_;
     std::vector<bool> open_;           ///< by instruction: the choices that the last box left open
     std::vector<bool> wantedRoots_;    ///< by instruction: whether IntervalGradient::root is of use
+    bool bends_ = true;                ///< whether second derivatives are asked for
     bool keepsOpen_ = false;           ///< whether these stay as they are
     bool takesSides_ = false;          ///< whether they are taken as `sides_` says
     std::optional<std::size_t> fold_;  ///< its instruction

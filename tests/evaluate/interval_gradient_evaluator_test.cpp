@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluate/interval_gradient_evaluator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <QTest>
@@ -255,6 +256,47 @@ class IntervalGradientEvaluatorTest : public QObject {
             }
         }
         QVERIFY2(checked > 3000, qPrintable(QString::number(checked)));
+    }
+
+    /// Where no margin is below 0 a piece is the function; where one is, another piece is.
+    void marginsTellWhereAPieceIsTheFunction() {
+        using enum Operation;
+        std::mt19937_64 random(seed + 11);
+        RandomFunctionSettings settings;
+        const Operation choosing[] = {minimum, maximum, absolute, add, subtract, multiply, sine, square};
+        settings.operations.assign(std::begin(choosing), std::end(choosing));
+        int certain = 0, excluded = 0;
+        for (int round = 0; round < 150000; ++round) {
+            settings.nodes = 3 + static_cast<int>(random() % 8);
+            const Function function = randomFunction(random, settings);
+            IntervalGradientEvaluator evaluator(Tape::compile(function), parameters);
+            ReferenceEvaluator reference(function);
+            const Box box = boxAround(random, 2, -2, 0.3);
+            evaluator.evaluate(box);
+            const std::size_t choices = evaluator.openChoices();
+            if (choices == 0 || choices > 3) continue;
+            const Point q = ::inside(random, box);
+            const Box place{Interval::point(q[0]), Interval::point(q[1]), Interval::point(q[2])};
+            const double value = reference.evaluate(q, parameters), slack = 1e-9 * (1 + std::abs(value));
+            if (!std::isfinite(value)) continue;
+            bool isHeld = false;
+            for (unsigned sides = 0; sides < 1U << choices; ++sides) {
+                const Interval piece = evaluator.evaluatePiece(place, sides).value;
+                const bool holds = value >= piece.low - slack && value <= piece.high + slack;
+                const auto margins = evaluator.margins();
+                QCOMPARE(margins.size(), choices);
+                if (std::ranges::any_of(margins, [](const auto& m) { return m.value.high < 0; })) {
+                    ++excluded;
+                    continue;
+                }
+                isHeld = isHeld || holds;
+                if (!std::ranges::all_of(margins, [](const auto& m) { return m.value.low >= 0; })) continue;
+                ++certain;
+                QVERIFY2(holds, describe(function).c_str());
+            }
+            QVERIFY2(isHeld, describe(function).c_str());
+        }
+        QVERIFY2(certain > 3000 && excluded > 3000, qPrintable(QString::number(certain)));
     }
 
     void noiseStaysWithinItsBounds() {

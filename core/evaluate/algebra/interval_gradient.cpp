@@ -2,6 +2,7 @@
 #include "core/evaluate/algebra/interval_gradient.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -12,11 +13,12 @@ namespace isoscope::gradient_rules {
 namespace {
 
 /// At least the length of u + v, for vectors in these ranges that are no longer than `longestU` and
-/// `longestV`.
+/// `longestV`; `common` are the axes along which both may have components.
 double lengthOfSum(const std::array<SlopeRange, 3>& u, double longestU, const std::array<SlopeRange, 3>& v,
-                   double longestV) {
+                   double longestV, std::uint8_t common) {
     double twiceDot = 0;
-    for (std::size_t i = 0; i < 3; ++i) twiceDot = raised(twiceDot + 2 * (u[i] * v[i]).high);
+    for (std::size_t i = 0; i < 3; ++i)
+        if (dependsOn(common, i)) twiceDot = raised(twiceDot + 2 * (u[i] * v[i]).high);
     const double squares = raised(raised(longestU * longestU) + raised(longestV * longestV));
     return std::min(raised(longestU + longestV), rootAbove(raised(squares + twiceDot)));
 }
@@ -81,7 +83,11 @@ double eigenvalueAbove(const std::array<SlopeRange, 6>& m) {
 void settle(IntervalGradient& a) {
     bool finite = true;
     for (const SlopeRange& range : a.slope) finite = finite && range.isFinite();
-    if (finite) a.steepness = std::min(a.steepness, lengthAbove(a.slope));
+    if (finite && std::has_single_bit(a.axes))
+        a.steepness =
+            std::min(a.steepness, a.slope[static_cast<std::size_t>(std::countr_zero(a.axes))].size());
+    else if (finite)
+        a.steepness = std::min(a.steepness, lengthAbove(a.slope));
     if (!finite || !(a.steepness < unlimited)) {
         a = hazardous(a.value, a.axes, worse(a.hazard, GradientHazard::overflow));
         return;
@@ -159,7 +165,7 @@ IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, con
         result.slope[i] = first[i] + second[i];
     }
     result.steepness = lengthOfSum(first, raised(h.byFirst.size() * u.steepness), second,
-                                   raised(h.bySecond.size() * v.steepness));
+                                   raised(h.bySecond.size() * v.steepness), u.axes & v.axes);
     result.pieced = u.pieced || v.pieced;
     result.smooth = u.smooth && v.smooth && !u.pieced && !v.pieced && h.twiceFirst.isFinite() &&
                     h.mixed.isFinite() && h.twiceSecond.isFinite();
@@ -220,7 +226,28 @@ bool isWaveAboveZero(const IntervalGradient& lift, const IntervalGradient& wave)
 
 }  // namespace
 
+namespace {
+
+/// a + shift: the slopes stay.
+IntervalGradient moved(const IntervalGradient& a, const Interval& shift) {
+    IntervalGradient result = a;
+    result.value = a.value + shift;
+    if (result.value.empty()) return undefinedEverywhere();
+    result.origin = 0;
+    result.angleSteepness = 0;
+    result.rootExponent = 0;
+    if (a.wrap != 0)
+        result.cutAt = shift.isPoint() ? a.cutAt + shift.low : std::numeric_limits<double>::quiet_NaN();
+    return result;
+}
+
+}  // namespace
+
 IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
+    const bool keepsPowers =
+        a.isSumOfPowers() || b.isSumOfPowers() || a.angleSteepness > 0 || b.angleSteepness > 0;
+    if (b.isConstant() && !keepsPowers && a.bounded()) return moved(a, b.value);
+    if (a.isConstant() && !keepsPowers && b.bounded()) return moved(b, a.value);
     // Two cuts may lie at different places.
     if (a.wrap != 0 && b.wrap != 0) return sum(resolveWrap(a), resolveWrap(b));
     IntervalGradient result;
@@ -236,7 +263,7 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
     }
     for (std::size_t i = 0; i < 3; ++i)
         if (dependsOn(result.axes, i)) result.slope[i] = a.slope[i] + b.slope[i];
-    result.steepness = lengthOfSum(a.slope, a.steepness, b.slope, b.steepness);
+    result.steepness = lengthOfSum(a.slope, a.steepness, b.slope, b.steepness, a.axes & b.axes);
     result.smooth = a.smooth && b.smooth;
     result.pieced = a.pieced || b.pieced;
     if (result.smooth)

@@ -53,6 +53,15 @@ IntervalGradient takenSide(Operation operation, Operands operands, bool second) 
     return *operands[second ? 1 : 0];
 }
 
+IntervalGradient marginOf(Operation operation, Operands operands, bool second) {
+    const IntervalGradient& a = *operands[0];
+    if (operation == Operation::absolute) return second ? scaled(a, -1) : a;
+    const IntervalGradient& b = *operands[1];
+    if (mayJump(a, b)) return hazardous(Interval::unknown(), a.axes | b.axes, GradientHazard::unknown);
+    const IntervalGradient difference = sum(b, scaled(a, -1));
+    return (operation == Operation::minimum) != second ? difference : scaled(difference, -1);
+}
+
 IntervalGradient minimumOf(const IntervalGradient& a, const IntervalGradient& b) {
     return extremum(Operation::minimum, a, b);
 }

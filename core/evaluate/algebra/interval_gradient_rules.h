@@ -61,6 +61,8 @@ IntervalGradient power(const IntervalGradient& base, const IntervalGradient& exp
 bool isOpenChoice(Operation operation, Operands operands);
 IntervalGradient openChoice(Operation operation, Operands operands);
 IntervalGradient takenSide(Operation operation, Operands operands, bool second);
+/// Below 0 where the other side is taken.
+IntervalGradient marginOf(Operation operation, Operands operands, bool second);
 
 /// Operations that take one operand or another, or have steps.
 IntervalGradient minimumOf(const IntervalGradient& a, const IntervalGradient& b);
