@@ -164,7 +164,10 @@ IntervalGradient evaluateOperation(Operation operation, Operands operands, const
 
 IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape> tape,
                                                      const UniformValues& uniforms)
-    : tape_(std::move(tape)), slots_(tape_->slotCount()), open_(tape_->instructions().size()) {
+    : tape_(std::move(tape)),
+      slots_(tape_->slotCount()),
+      open_(tape_->instructions().size()),
+      chosen_(open_.size()) {
     for (std::size_t k = 0; k < uniforms.values.size(); ++k)
         slots_[tape_->firstUniform() + k] = constant(Interval::point(uniforms.values[k]));
     for (std::size_t k = 0; k < uniforms.loops.size(); ++k)
@@ -273,7 +276,14 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
         margins_.push_back(marginOf(instruction.operation, all, second));
         return takenSide(instruction.operation, all, second);
     }
-    if (!keepsOpen_ && !takesSides_) open_[index] = isOpenChoice(instruction.operation, all);
+    if (!keepsOpen_ && !takesSides_) {
+        open_[index] = isOpenChoice(instruction.operation, all);
+        chosen_[index] = chosenSide(instruction.operation, all);
+    } else if (chosen_[index] != ChosenSide::open) {
+        // Not decided anew: a piece that is not the function at a point may have any value there, and what an
+        // open choice leaves of both sides has the value of one of them.
+        return takenSide(instruction.operation, all, chosen_[index] == ChosenSide::second);
+    }
     if (keepsOpen_ && open_[index]) return openChoice(instruction.operation, all);
     return evaluateOperation(instruction.operation, all, crackle);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/evaluate/algebra/interval_gradient.h"
+#include "core/evaluate/algebra/interval_gradient_rules.h"
 #include "core/evaluate/tape/tape.h"
 #include "core/evaluate/tape/uniform_values.h"
 
@@ -83,12 +84,13 @@ class IntervalGradientEvaluator {
     std::vector<IntervalGradient> slots_;
     std::vector<std::unique_ptr<IntervalGradientEvaluator>> loops_;
     std::vector<IntervalGradient> margins_;
-    std::vector<bool> open_;           ///< by instruction: the choices that the last box left open
-    std::vector<bool> wantedRoots_;    ///< by instruction: whether IntervalGradient::root is of use
-    bool bends_ = true;                ///< whether second derivatives are asked for
-    bool keepsOpen_ = false;           ///< whether these stay as they are
-    bool takesSides_ = false;          ///< whether they are taken as `sides_` says
-    std::optional<std::size_t> fold_;  ///< its instruction
+    std::vector<bool> open_;         ///< by instruction: the choices that the last box left open
+    std::vector<bool> wantedRoots_;  ///< by instruction: whether IntervalGradient::root is of use
+    std::vector<gradient_rules::ChosenSide> chosen_;  ///< by instruction: what the last box decided
+    bool bends_ = true;                               ///< whether second derivatives are asked for
+    bool keepsOpen_ = false;                          ///< whether these stay as they are
+    bool takesSides_ = false;                         ///< whether they are taken as `sides_` says
+    std::optional<std::size_t> fold_;                 ///< its instruction
     Fold lastFold_;
     bool folds_ = false;  ///< whether `lastFold_` takes its place
     unsigned sides_ = 0;  ///< of the open choices that are still to come

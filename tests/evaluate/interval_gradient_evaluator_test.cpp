@@ -258,6 +258,19 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY2(checked > 3000, qPrintable(QString::number(checked)));
     }
 
+    /// At a point where both sides of a choice are equal, of which the box has taken one for certain.
+    void piecesAreKeptWhereADecidedChoiceTies() {
+        const Box box{unit, unit, Interval{-2.5, -1, false}};
+        const Box place{Interval::point(0), Interval::point(0), Interval::point(-1.2)};
+        const Function function =
+            functionOf([](auto, auto, auto z) { return min(z.number(-2), min(z.number(-2), z)); });
+        IntervalGradientEvaluator evaluator(Tape::compile(function), {});
+        const IntervalGradient whole = evaluator.evaluate(box);
+        QVERIFY(whole.smooth && whole.pieced);
+        // The piece that has the slope 1 lies elsewhere in the box.
+        QVERIFY(evaluator.evaluatePieces(place).slope[2].high >= 1);
+    }
+
     /// Where no margin is below 0 a piece is the function; where one is, another piece is.
     void marginsTellWhereAPieceIsTheFunction() {
         using enum Operation;

@@ -42,6 +42,22 @@ bool isOpenChoice(Operation operation, Operands operands) {
            (mayJump(*operands[0], *operands[1]) || (a.high > b.low && b.high > a.low));
 }
 
+ChosenSide chosenSide(Operation operation, Operands operands) {
+    const IntervalGradient& a = *operands[0];
+    if (a.wrap != 0 || a.value.empty() || a.value.maybeUndefined) return ChosenSide::open;
+    if (operation == Operation::absolute) {
+        if (a.value.low >= 0) return ChosenSide::first;
+        return a.value.high <= 0 ? ChosenSide::second : ChosenSide::open;
+    }
+    if (operation != Operation::minimum && operation != Operation::maximum) return ChosenSide::open;
+    const IntervalGradient& b = *operands[1];
+    if (b.wrap != 0 || b.value.empty() || b.value.maybeUndefined) return ChosenSide::open;
+    const bool isMinimum = operation == Operation::minimum;
+    if (a.value.high <= b.value.low) return isMinimum ? ChosenSide::first : ChosenSide::second;
+    if (b.value.high <= a.value.low) return isMinimum ? ChosenSide::second : ChosenSide::first;
+    return ChosenSide::open;
+}
+
 IntervalGradient openChoice(Operation operation, Operands operands) {
     const IntervalGradient& a = *operands[0];
     if (operation == Operation::absolute) return magnitudeOf(a);
@@ -54,9 +70,9 @@ IntervalGradient takenSide(Operation operation, Operands operands, bool second) 
 }
 
 IntervalGradient marginOf(Operation operation, Operands operands, bool second) {
-    const IntervalGradient& a = *operands[0];
+    const IntervalGradient a = resolveWrap(*operands[0]);
     if (operation == Operation::absolute) return second ? scaled(a, -1) : a;
-    const IntervalGradient& b = *operands[1];
+    const IntervalGradient b = resolveWrap(*operands[1]);
     if (mayJump(a, b)) return hazardous(Interval::unknown(), a.axes | b.axes, GradientHazard::unknown);
     const IntervalGradient difference = sum(b, scaled(a, -1));
     return (operation == Operation::minimum) != second ? difference : scaled(difference, -1);

@@ -60,6 +60,9 @@ IntervalGradient power(const IntervalGradient& base, const IntervalGradient& exp
 /// Whether a min, max or abs takes now one side, now the other; its value then; and one of the sides.
 bool isOpenChoice(Operation operation, Operands operands);
 IntervalGradient openChoice(Operation operation, Operands operands);
+/// Which side a min, max or abs takes in the whole box, if it is certain.
+enum class ChosenSide : std::uint8_t { open, first, second };
+ChosenSide chosenSide(Operation operation, Operands operands);
 IntervalGradient takenSide(Operation operation, Operands operands, bool second);
 /// Below 0 where the other side is taken.
 IntervalGradient marginOf(Operation operation, Operands operands, bool second);
