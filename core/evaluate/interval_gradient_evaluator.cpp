@@ -167,7 +167,8 @@ IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape>
     : tape_(std::move(tape)),
       slots_(tape_->slotCount()),
       open_(tape_->instructions().size()),
-      chosen_(open_.size()) {
+      chosen_(open_.size()),
+      corners_(open_.size()) {
     for (std::size_t k = 0; k < uniforms.values.size(); ++k)
         slots_[tape_->firstUniform() + k] = constant(Interval::point(uniforms.values[k]));
     for (std::size_t k = 0; k < uniforms.loops.size(); ++k)
@@ -270,6 +271,7 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
     const CrackleSettings* crackle =
         instruction.operation == Operation::crackle ? &tape_->crackle(instruction.index) : nullptr;
     const Operands all = std::span(operands).first(instruction.operandCount);
+    if (instruction.operation == Operation::triangleWave) return executeTriangle(*operands[0], index);
     if (takesSides_ && open_[index]) {
         const bool second = (sides_ & 1) != 0;
         sides_ >>= 1;
@@ -286,6 +288,24 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
     }
     if (keepsOpen_ && open_[index]) return openChoice(instruction.operation, all);
     return evaluateOperation(instruction.operation, all, crackle);
+}
+
+/// A corner is a choice as that of a magnitude.
+IntervalGradient IntervalGradientEvaluator::executeTriangle(const IntervalGradient& u, std::size_t index) {
+    if (!keepsOpen_ && !takesSides_) {
+        corners_[index] = cornerOf(u);
+        open_[index] = !std::isnan(corners_[index]);
+    }
+    const IntervalGradient* const operand = &u;
+    if (!open_[index] || (!keepsOpen_ && !takesSides_))
+        return evaluateOperation(Operation::triangleWave, {&operand, 1});
+    const IntervalGradient from = fromCorner(u, corners_[index]);
+    const IntervalGradient* const distance = &from;
+    if (keepsOpen_) return aboutCorner(openChoice(Operation::absolute, {&distance, 1}), corners_[index]);
+    const bool second = (sides_ & 1) != 0;
+    sides_ >>= 1;
+    margins_.push_back(marginOf(Operation::absolute, {&distance, 1}, second));
+    return aboutCorner(takenSide(Operation::absolute, {&distance, 1}, second), corners_[index]);
 }
 
 IntervalGradient IntervalGradientEvaluator::runLoop(const Instruction& instruction, double loopAllowance) {

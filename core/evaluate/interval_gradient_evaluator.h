@@ -78,6 +78,7 @@ class IntervalGradientEvaluator {
   private:
     bool run(double loopAllowance);
     IntervalGradient execute(const Instruction& instruction, std::size_t index, double loopAllowance);
+    IntervalGradient executeTriangle(const IntervalGradient& u, std::size_t index);
     IntervalGradient runLoop(const Instruction& instruction, double loopAllowance);
 
     std::shared_ptr<const Tape> tape_;
@@ -87,6 +88,7 @@ class IntervalGradientEvaluator {
     std::vector<bool> open_;         ///< by instruction: the choices that the last box left open
     std::vector<bool> wantedRoots_;  ///< by instruction: whether IntervalGradient::root is of use
     std::vector<gradient_rules::ChosenSide> chosen_;  ///< by instruction: what the last box decided
+    std::vector<double> corners_;                     ///< of those among them that are triangle waves
     bool bends_ = true;                               ///< whether second derivatives are asked for
     bool keepsOpen_ = false;                          ///< whether these stay as they are
     bool takesSides_ = false;                         ///< whether they are taken as `sides_` says

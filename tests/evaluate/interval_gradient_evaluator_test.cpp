@@ -212,8 +212,8 @@ class IntervalGradientEvaluatorTest : public QObject {
         using enum Operation;
         std::mt19937_64 random(seed + 9);
         RandomFunctionSettings settings;
-        const Operation choosing[] = {minimum,  maximum, absolute, add,   subtract,
-                                      multiply, sine,    square,   negate};
+        const Operation choosing[] = {minimum,  maximum,  absolute, triangleWave, add,
+                                      subtract, multiply, sine,     square,       negate};
         settings.operations.assign(std::begin(choosing), std::end(choosing));
         int checked = 0;
         for (int round = 0; round < 30000; ++round) {
@@ -258,6 +258,47 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY2(checked > 3000, qPrintable(QString::number(checked)));
     }
 
+    /// One corner of a triangle wave is a choice between its two sides, also a period away across a cut.
+    void aCornerOfATriangleWaveIsAChoice() {
+        const auto wave = [](auto x, auto, auto) { return apply(Operation::triangleWave, x); };
+        for (const double corner : {-1.0, -0.5, 0.0, 0.5, 2.0}) {
+            const Box box{Interval{corner - 0.1, corner + 0.2, false}, unit, unit};
+            IntervalGradientEvaluator evaluator(Tape::compile(functionOf(wave)), {});
+            const IntervalGradient whole = evaluator.evaluate(box);
+            QVERIFY(whole.bounded() && whole.smooth && whole.pieced);
+            QCOMPARE(evaluator.openChoices(), std::size_t(1));
+            // Sides of the choice are those behind and before the corner, wherever they are looked at.
+            const double rises = corner == std::floor(corner) ? 2 : -2;
+            for (const unsigned side : {0U, 1U}) {
+                const IntervalGradient piece = evaluator.evaluatePiece(box, side);
+                const double slope = 0.5 * piece.slope[0].low + 0.5 * piece.slope[0].high;
+                QVERIFY(piece.smooth && !piece.pieced && std::abs(std::abs(slope) - 2) < 1e-12);
+                const bool behind = slope * rises > 0;
+                QVERIFY(std::abs(evaluator.margins()[0].value.high - (behind ? 0.4 : 0.2)) < 1e-9);
+            }
+        }
+        const Box twoCorners{Interval{-0.1, 0.6, false}, unit, unit};
+        QVERIFY(!over(wave, twoCorners).smooth);
+        const Box behindAxis{Interval{-2, -1.9, false}, Interval{-0.1, 0.1, false}, unit};
+        IntervalGradientEvaluator around(Tape::compile(functionOf([](auto x, auto y, auto) {
+                                             return apply(Operation::triangleWave,
+                                                          atan2(y, x) / (2 * std::numbers::pi));
+                                         })),
+                                         {});
+        QVERIFY(around.evaluate(behindAxis).bounded());
+        QCOMPARE(around.openChoices(), std::size_t(1));
+        for (const double y : {-0.05, 0.05}) {
+            const Box place{Interval::point(-1.95), Interval::point(y), Interval::point(0)};
+            const double value = 1 - std::abs(std::atan(y / 1.95)) / std::numbers::pi;
+            bool found = false;
+            for (const unsigned side : {0U, 1U}) {
+                const Interval piece = around.evaluatePiece(place, side).value;
+                found = found || (piece.low <= value + 1e-12 && piece.high >= value - 1e-12);
+            }
+            QVERIFY(found);
+        }
+    }
+
     /// At a point where both sides of a choice are equal, of which the box has taken one for certain.
     void piecesAreKeptWhereADecidedChoiceTies() {
         const Box box{unit, unit, Interval{-2.5, -1, false}};
@@ -276,7 +317,8 @@ class IntervalGradientEvaluatorTest : public QObject {
         using enum Operation;
         std::mt19937_64 random(seed + 11);
         RandomFunctionSettings settings;
-        const Operation choosing[] = {minimum, maximum, absolute, add, subtract, multiply, sine, square};
+        const Operation choosing[] = {minimum,  maximum,  absolute, triangleWave, add,
+                                      subtract, multiply, sine,     square};
         settings.operations.assign(std::begin(choosing), std::end(choosing));
         int certain = 0, excluded = 0;
         for (int round = 0; round < 150000; ++round) {

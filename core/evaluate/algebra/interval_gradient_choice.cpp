@@ -78,6 +78,28 @@ IntervalGradient marginOf(Operation operation, Operands operands, bool second) {
     return (operation == Operation::minimum) != second ? difference : scaled(difference, -1);
 }
 
+double cornerOf(const IntervalGradient& u) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN(), close = 1e-6, farthest = 1e9;
+    if (u.isConstant() || u.value.empty() || (u.wrap != 0 && !isWhole(u.wrap, 1))) return none;
+    if (!(std::max(std::abs(u.value.low), std::abs(u.value.high)) < farthest)) return none;
+    const double corner = std::ceil(2 * u.value.low) / 2;
+    // Not so wide that a place in the box could be taken for one a period away.
+    const bool within = u.value.low < corner && u.value.high > corner && u.value.low > corner - 0.5 + close &&
+                        u.value.high < corner + 0.5 - close;
+    return within ? corner : none;
+}
+
+IntervalGradient fromCorner(const IntervalGradient& operand, double corner) {
+    const IntervalGradient u = withoutCut(operand);
+    const double middle = 0.5 * u.value.low + 0.5 * u.value.high, periods = std::round(corner - middle);
+    return scaled(sum(u, constant(Interval::point(periods) - Interval::point(corner))), 2);
+}
+
+IntervalGradient aboutCorner(const IntervalGradient& magnitude, double corner) {
+    const bool isTop = corner != std::floor(corner);
+    return isTop ? sum(scaled(magnitude, -1), constant(Interval::point(1))) : magnitude;
+}
+
 IntervalGradient minimumOf(const IntervalGradient& a, const IntervalGradient& b) {
     return extremum(Operation::minimum, a, b);
 }

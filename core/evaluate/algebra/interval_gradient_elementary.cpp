@@ -60,6 +60,11 @@ IntervalGradient triangleWaveOf(const IntervalGradient& operand) {
     const IntervalGradient u = withoutCut(operand);
     const std::array<Interval, 1> values{u.value};
     const Interval value = evaluateOperation(Operation::triangleWave, values);
+    if (const double corner = cornerOf(u); !std::isnan(corner) && u.hazard <= GradientHazard::jump) {
+        IntervalGradient result = aboutCorner(magnitudeOf(fromCorner(u, corner)), corner);
+        result.value = value;
+        return result;
+    }
     const double half = std::floor(2 * u.value.low);
     const bool straight = half == std::floor(2 * u.value.high);
     if (!straight) return chain(u, value, {SlopeRange::within(2)}, GradientHazard::overflow);

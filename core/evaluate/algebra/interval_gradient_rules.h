@@ -57,6 +57,13 @@ IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b);
 /// where the base may be 0 or less.
 IntervalGradient power(const IntervalGradient& base, const IntervalGradient& exponent);
 
+/// Of a triangle wave over a box with one of its corners: the corner; NaN for other boxes. With the distance
+/// from the corner, times 2, the wave is its magnitude or 1 minus that.
+double cornerOf(const IntervalGradient& u);
+IntervalGradient fromCorner(const IntervalGradient& u, double corner);
+/// The wave for what stands for the magnitude.
+IntervalGradient aboutCorner(const IntervalGradient& magnitude, double corner);
+
 /// Whether a min, max or abs takes now one side, now the other; its value then; and one of the sides.
 bool isOpenChoice(Operation operation, Operands operands);
 IntervalGradient openChoice(Operation operation, Operands operands);
