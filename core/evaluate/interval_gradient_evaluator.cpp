@@ -27,11 +27,19 @@ bool usesWraps(Operation operation) {
         case Operation::sine:
         case Operation::cosine:
         case Operation::cycle:
+        case Operation::triangleWave:
         case Operation::add:
         case Operation::subtract:
-        case Operation::multiply: return true;
+        case Operation::multiply:
+        case Operation::divide:
+        case Operation::remainder: return true;
         default: return false;
     }
+}
+
+bool isEven(Operation operation) {
+    return operation == Operation::absolute || operation == Operation::square ||
+           operation == Operation::hyperbolicCosine;
 }
 
 Interval valueOf(Operation operation, Operands operands, const CrackleSettings* crackle) {
@@ -45,7 +53,7 @@ IntervalGradient twoOperands(Operation operation, Operands operands) {
     const IntervalGradient& b = *operands[1];
     switch (operation) {
         case Operation::add: return sum(a, b);
-        case Operation::subtract: return sum(a, scaled(b, -1));
+        case Operation::subtract: return sum(a, b.isConstant() ? constant(-b.value) : scaled(b, -1));
         case Operation::multiply: return product(a, b);
         case Operation::divide: return quotient(a, b);
         case Operation::power: return power(a, b);
@@ -91,6 +99,35 @@ std::vector<std::uint8_t> axesWithout(const Tape& tape, std::size_t left) {
     return all;
 }
 
+/// Whether the root of each instruction's result may be asked for.
+std::vector<bool> wantedRoots(const Tape& tape) {
+    std::vector<bool> slots(tape.slotCount()), all(tape.instructions().size());
+    for (std::size_t i = all.size(); i-- > 0;) {
+        const Instruction& instruction = tape.instructions()[i];
+        const bool wanted = all[i] = slots[instruction.target];
+        slots[instruction.target] = false;
+        switch (instruction.operation) {
+            case Operation::squareRoot:
+            case Operation::power: slots[instruction.operands[0]] = true; break;
+            case Operation::absolute:
+            case Operation::add:
+            case Operation::multiply:
+            case Operation::divide:
+            case Operation::square:
+                for (std::size_t k = 0; wanted && k < instruction.operandCount; ++k)
+                    slots[instruction.operands[k]] = true;
+                break;
+            case Operation::sum:
+            case Operation::product:
+                // What becomes of them in the loop is not looked into.
+                for (const Slot slot : tape.loop(instruction.index).captured) slots[slot] = true;
+                break;
+            default: break;
+        }
+    }
+    return all;
+}
+
 /// The first root of a tape without loops through which alone two or three coordinates count.
 std::optional<std::size_t> foldOf(const Tape& tape) {
     // Looking for one takes the square of this.
@@ -111,6 +148,11 @@ IntervalGradient evaluateOperation(Operation operation, Operands operands, const
     bool wrapped = false;
     for (const IntervalGradient* operand : operands) wrapped = wrapped || operand->wrap != 0;
     if (!wrapped || usesWraps(operation)) return withoutWraps(operation, operands, crackle);
+    if (operands.size() == 1)
+        return acrossCut(*operands[0], isEven(operation), [&](const IntervalGradient& u) {
+            const IntervalGradient* const pointer = &u;
+            return withoutWraps(operation, {&pointer, 1}, crackle);
+        });
     std::array<IntervalGradient, 4> resolved;
     std::array<const IntervalGradient*, 4> pointers{};
     for (std::size_t k = 0; k < operands.size(); ++k) {
@@ -122,13 +164,18 @@ IntervalGradient evaluateOperation(Operation operation, Operands operands, const
 
 IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape> tape,
                                                      const UniformValues& uniforms)
-    : tape_(std::move(tape)), slots_(tape_->slotCount()), open_(tape_->instructions().size()) {
+    : tape_(std::move(tape)),
+      slots_(tape_->slotCount()),
+      open_(tape_->instructions().size()),
+      chosen_(open_.size()),
+      corners_(open_.size()) {
     for (std::size_t k = 0; k < uniforms.values.size(); ++k)
         slots_[tape_->firstUniform() + k] = constant(Interval::point(uniforms.values[k]));
     for (std::size_t k = 0; k < uniforms.loops.size(); ++k)
         loops_.push_back(
             std::make_unique<IntervalGradientEvaluator>(tape_->loops()[k].body, uniforms.loops[k]));
     fold_ = foldOf(*tape_);
+    wantedRoots_ = wantedRoots(*tape_);
 }
 
 IntervalGradientEvaluator::IntervalGradientEvaluator(const PreparedFunction& function)
@@ -144,6 +191,8 @@ const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Inte
     const auto argumentCount = static_cast<std::size_t>(tape_->argumentCount());
     for (std::size_t k = 0; k < argumentCount; ++k)
         slots_[k] = k < 3 ? coordinate(k, box[k]) : constant(Interval::point(0));
+    // What is not smooth has no second derivatives, nor has what is made of it.
+    for (std::size_t k = 0; k < std::min<std::size_t>(argumentCount, 3); ++k) slots_[k].smooth = bends_;
     const bool ended = run(LoopRange::topAllowance);
     IntervalGradient& answer = slots_[tape_->results()[result]];
     if (!ended) answer = hazardous(Interval::unknown(), 7, GradientHazard::unknown);
@@ -153,9 +202,16 @@ const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Inte
     return answer;
 }
 
+const IntervalGradient& IntervalGradientEvaluator::evaluateSlopes(std::span<const Interval, 3> point) {
+    bends_ = false;
+    const IntervalGradient& answer = evaluate(point);
+    bends_ = true;
+    return answer;
+}
+
 const IntervalGradient& IntervalGradientEvaluator::evaluatePieces(std::span<const Interval, 3> point) {
     keepsOpen_ = true;
-    const IntervalGradient& answer = evaluate(point);
+    const IntervalGradient& answer = evaluateSlopes(point);
     keepsOpen_ = false;
     return answer;
 }
@@ -168,6 +224,7 @@ const IntervalGradient& IntervalGradientEvaluator::evaluatePiece(std::span<const
                                                                  unsigned sides) {
     takesSides_ = true;
     sides_ = sides;
+    margins_.clear();
     const IntervalGradient& answer = evaluate(box);
     takesSides_ = false;
     return answer;
@@ -192,6 +249,7 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
         IntervalGradient& target = slots_[instructions[i].target];
         if (i != fold_) {
             target = execute(instructions[i], i, loopAllowance);
+            target.root.known = target.root.known && wantedRoots_[i];
         } else if (folds_) {
             const auto axis = static_cast<std::size_t>(lastFold_.axis);
             target = coordinate(axis, lastFold_.value);
@@ -213,14 +271,41 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
     const CrackleSettings* crackle =
         instruction.operation == Operation::crackle ? &tape_->crackle(instruction.index) : nullptr;
     const Operands all = std::span(operands).first(instruction.operandCount);
+    if (instruction.operation == Operation::triangleWave) return executeTriangle(*operands[0], index);
     if (takesSides_ && open_[index]) {
         const bool second = (sides_ & 1) != 0;
         sides_ >>= 1;
+        margins_.push_back(marginOf(instruction.operation, all, second));
         return takenSide(instruction.operation, all, second);
     }
-    if (!keepsOpen_ && !takesSides_) open_[index] = isOpenChoice(instruction.operation, all);
+    if (!keepsOpen_ && !takesSides_) {
+        open_[index] = isOpenChoice(instruction.operation, all);
+        chosen_[index] = chosenSide(instruction.operation, all);
+    } else if (chosen_[index] != ChosenSide::open) {
+        // Not decided anew: a piece that is not the function at a point may have any value there, and what an
+        // open choice leaves of both sides has the value of one of them.
+        return takenSide(instruction.operation, all, chosen_[index] == ChosenSide::second);
+    }
     if (keepsOpen_ && open_[index]) return openChoice(instruction.operation, all);
     return evaluateOperation(instruction.operation, all, crackle);
+}
+
+/// A corner is a choice as that of a magnitude.
+IntervalGradient IntervalGradientEvaluator::executeTriangle(const IntervalGradient& u, std::size_t index) {
+    if (!keepsOpen_ && !takesSides_) {
+        corners_[index] = cornerOf(u);
+        open_[index] = !std::isnan(corners_[index]);
+    }
+    const IntervalGradient* const operand = &u;
+    if (!open_[index] || (!keepsOpen_ && !takesSides_))
+        return evaluateOperation(Operation::triangleWave, {&operand, 1});
+    const IntervalGradient from = fromCorner(u, corners_[index]);
+    const IntervalGradient* const distance = &from;
+    if (keepsOpen_) return aboutCorner(openChoice(Operation::absolute, {&distance, 1}), corners_[index]);
+    const bool second = (sides_ & 1) != 0;
+    sides_ >>= 1;
+    margins_.push_back(marginOf(Operation::absolute, {&distance, 1}, second));
+    return aboutCorner(takenSide(Operation::absolute, {&distance, 1}, second), corners_[index]);
 }
 
 IntervalGradient IntervalGradientEvaluator::runLoop(const Instruction& instruction, double loopAllowance) {

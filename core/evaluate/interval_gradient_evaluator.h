@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/evaluate/algebra/interval_gradient.h"
+#include "core/evaluate/algebra/interval_gradient_rules.h"
 #include "core/evaluate/tape/tape.h"
 #include "core/evaluate/tape/uniform_values.h"
 
@@ -37,7 +38,10 @@ class IntervalGradientEvaluator {
     /// valid until the next call.
     const IntervalGradient& evaluate(std::span<const Interval, 3> box, std::size_t result = 0);
 
-    /// Result 0 at a point of the box of the last evaluate(), with the choices left open that were open in
+    /// Result 0 at a point, without second derivatives.
+    const IntervalGradient& evaluateSlopes(std::span<const Interval, 3> point);
+
+    /// The same at a point of the box of the last evaluate(), with the choices left open that were open in
     /// that box: what all pieces are at the point.
     const IntervalGradient& evaluatePieces(std::span<const Interval, 3> point);
 
@@ -48,6 +52,10 @@ class IntervalGradientEvaluator {
     /// the first operand (or the operand of abs), 1 for the second (or minus it). In the box of that
     /// evaluate(), or a part of it, the function is one of these at each place.
     const IntervalGradient& evaluatePiece(std::span<const Interval, 3> box, unsigned sides);
+    /// Of the last evaluatePiece(): by how much each side was taken rather than the other, choice by choice.
+    /// Where one of these is below 0 the function is another piece. Unbounded for a choice of what may be
+    /// undefined.
+    std::span<const IntervalGradient> margins() const { return margins_; }
 
     /// An operand through which alone the function depends on two or three coordinates, such as the distance
     /// from an axis, as it is over the box of the last evaluate(). Everything else depends on the others.
@@ -70,15 +78,21 @@ class IntervalGradientEvaluator {
   private:
     bool run(double loopAllowance);
     IntervalGradient execute(const Instruction& instruction, std::size_t index, double loopAllowance);
+    IntervalGradient executeTriangle(const IntervalGradient& u, std::size_t index);
     IntervalGradient runLoop(const Instruction& instruction, double loopAllowance);
 
     std::shared_ptr<const Tape> tape_;
     std::vector<IntervalGradient> slots_;
     std::vector<std::unique_ptr<IntervalGradientEvaluator>> loops_;
-    std::vector<bool> open_;           ///< by instruction: the choices that the last box left open
-    bool keepsOpen_ = false;           ///< whether these stay as they are
-    bool takesSides_ = false;          ///< whether they are taken as `sides_` says
-    std::optional<std::size_t> fold_;  ///< its instruction
+    std::vector<IntervalGradient> margins_;
+    std::vector<bool> open_;         ///< by instruction: the choices that the last box left open
+    std::vector<bool> wantedRoots_;  ///< by instruction: whether IntervalGradient::root is of use
+    std::vector<gradient_rules::ChosenSide> chosen_;  ///< by instruction: what the last box decided
+    std::vector<double> corners_;                     ///< of those among them that are triangle waves
+    bool bends_ = true;                               ///< whether second derivatives are asked for
+    bool keepsOpen_ = false;                          ///< whether these stay as they are
+    bool takesSides_ = false;                         ///< whether they are taken as `sides_` says
+    std::optional<std::size_t> fold_;                 ///< its instruction
     Fold lastFold_;
     bool folds_ = false;  ///< whether `lastFold_` takes its place
     unsigned sides_ = 0;  ///< of the open choices that are still to come

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluate/interval_gradient_evaluator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <QTest>
@@ -96,18 +97,50 @@ QString contradiction(const IntervalGradient& answer, ReferenceEvaluator& refere
 
 }  // namespace
 
+/// Roots of sums of powers of random functions of each coordinate, of every kind of exponent.
+Function randomNorm(std::mt19937_64& random) {
+    const auto number = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    return functionOf([&](auto x, auto y, auto z) {
+        const double exponents[] = {1, 1.5, 2, 2, 2.6, 4, 5, 2 / 0.3};
+        const double e = exponents[random() % std::size(exponents)];
+        const auto part = [&] {
+            const auto along = number(-2, 2) * x + number(-2, 2) * y + number(-1, 1) * z;
+            const auto u = random() % 3 == 0   ? sin(along)
+                           : random() % 2 == 0 ? along + number(-1, 1)
+                                               : sq(along);
+            if (e == 2 && random() % 2 == 0) return sq(u);
+            if (e == 4 && random() % 2 == 0) return pow(u, u.number(4));
+            return pow(abs(u), u.number(e));
+        };
+        auto sum = number(0.1, 2) * part() + part();
+        if (random() % 3 == 0) sum = sum + part() / 3;
+        if (random() % 3 == 0) sum = sum + number(0, 0.5);
+        const double root = random() % 4 == 0 ? number(1, 3) / e : 1 / e;
+        return root == 0.5 ? sqrt(sum) : pow(sum, x.number(root));
+    });
+}
+
 class IntervalGradientEvaluatorTest : public QObject {
     Q_OBJECT
 
   private:
     static Checks holdFor(std::span<const Operation> operations, int rounds, std::uint64_t start) {
-        std::mt19937_64 random(start);
         RandomFunctionSettings settings;
         settings.operations.assign(operations.begin(), operations.end());
+        return holdForAll(rounds, start, [&](std::mt19937_64& random) {
+            settings.nodes = 1 + static_cast<int>(random() % 10);
+            return randomFunction(random, settings);
+        });
+    }
+
+    template <class Draw>
+    static Checks holdForAll(int rounds, std::uint64_t start, Draw draw) {
+        std::mt19937_64 random(start);
         Checks checks;
         for (int round = 0; round < rounds; ++round) {
-            settings.nodes = 1 + static_cast<int>(random() % 10);
-            const Function function = randomFunction(random, settings);
+            const Function function = draw(random);
             const auto tape = Tape::compile(function);
             IntervalGradientEvaluator evaluator(tape, parameters);
             ReferenceEvaluator reference(function);
@@ -151,13 +184,36 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY2(checks.bends > 10000, qPrintable(QString::number(checks.bends)));
     }
 
+    void rootsOfSumsOfPowersStayWithinTheirBounds() {
+        const Checks checks = holdForAll(20000, seed + 4, randomNorm);
+        QVERIFY2(checks.slopes > 100000 && checks.bends > 50000, qPrintable(QString::number(checks.bends)));
+    }
+
+    /// Not as wide as what the sum and its root say one after the other.
+    void normsHaveSharpSlopes() {
+        const Box box{Interval{0.3, 0.7, false}, Interval{0.9, 1.1, false}, unit};
+        const IntervalGradient circle = over([](auto x, auto y, auto) { return sqrt(sq(x) + sq(y)); }, box);
+        const double least = 0.3 / std::hypot(0.3, 1.1), most = 0.7 / std::hypot(0.7, 0.9);
+        QVERIFY(std::abs(circle.slope[0].low - least) < 1e-9 && std::abs(circle.slope[0].high - most) < 1e-9);
+        // A section with rounded corners, across the middle of a side: straight there, and no kink.
+        const Box side{Interval{-0.1, 0.1, false}, Interval{0.9, 1.1, false}, unit};
+        const IntervalGradient section = over(
+            [](auto x, auto y, auto) {
+                return pow(pow(abs(x), x.number(4)) + pow(abs(y), x.number(4)), x.number(0.25));
+            },
+            side);
+        QVERIFY(section.smooth && !section.pieced);
+        QVERIFY(section.slope[0].size() < 0.0015 && section.slope[1].low > 0.999);
+        QVERIFY(section.bend[bendIndex(0, 0)].size() < 0.05);
+    }
+
     /// From a point, with the choices of the box left open, bends lead to the slopes everywhere in the box.
     void piecesBendAsTheySay() {
         using enum Operation;
         std::mt19937_64 random(seed + 9);
         RandomFunctionSettings settings;
-        const Operation choosing[] = {minimum,  maximum, absolute, add,   subtract,
-                                      multiply, sine,    square,   negate};
+        const Operation choosing[] = {minimum,  maximum,  absolute, triangleWave, add,
+                                      subtract, multiply, sine,     square,       negate};
         settings.operations.assign(std::begin(choosing), std::end(choosing));
         int checked = 0;
         for (int round = 0; round < 30000; ++round) {
@@ -200,6 +256,102 @@ class IntervalGradientEvaluatorTest : public QObject {
             }
         }
         QVERIFY2(checked > 3000, qPrintable(QString::number(checked)));
+    }
+
+    /// One corner of a triangle wave is a choice between its two sides, also a period away across a cut.
+    void aCornerOfATriangleWaveIsAChoice() {
+        const auto wave = [](auto x, auto, auto) { return apply(Operation::triangleWave, x); };
+        for (const double corner : {-1.0, -0.5, 0.0, 0.5, 2.0}) {
+            const Box box{Interval{corner - 0.1, corner + 0.2, false}, unit, unit};
+            IntervalGradientEvaluator evaluator(Tape::compile(functionOf(wave)), {});
+            const IntervalGradient whole = evaluator.evaluate(box);
+            QVERIFY(whole.bounded() && whole.smooth && whole.pieced);
+            QCOMPARE(evaluator.openChoices(), std::size_t(1));
+            // Sides of the choice are those behind and before the corner, wherever they are looked at.
+            const double rises = corner == std::floor(corner) ? 2 : -2;
+            for (const unsigned side : {0U, 1U}) {
+                const IntervalGradient piece = evaluator.evaluatePiece(box, side);
+                const double slope = 0.5 * piece.slope[0].low + 0.5 * piece.slope[0].high;
+                QVERIFY(piece.smooth && !piece.pieced && std::abs(std::abs(slope) - 2) < 1e-12);
+                const bool behind = slope * rises > 0;
+                QVERIFY(std::abs(evaluator.margins()[0].value.high - (behind ? 0.4 : 0.2)) < 1e-9);
+            }
+        }
+        const Box twoCorners{Interval{-0.1, 0.6, false}, unit, unit};
+        QVERIFY(!over(wave, twoCorners).smooth);
+        const Box behindAxis{Interval{-2, -1.9, false}, Interval{-0.1, 0.1, false}, unit};
+        IntervalGradientEvaluator around(Tape::compile(functionOf([](auto x, auto y, auto) {
+                                             return apply(Operation::triangleWave,
+                                                          atan2(y, x) / (2 * std::numbers::pi));
+                                         })),
+                                         {});
+        QVERIFY(around.evaluate(behindAxis).bounded());
+        QCOMPARE(around.openChoices(), std::size_t(1));
+        for (const double y : {-0.05, 0.05}) {
+            const Box place{Interval::point(-1.95), Interval::point(y), Interval::point(0)};
+            const double value = 1 - std::abs(std::atan(y / 1.95)) / std::numbers::pi;
+            bool found = false;
+            for (const unsigned side : {0U, 1U}) {
+                const Interval piece = around.evaluatePiece(place, side).value;
+                found = found || (piece.low <= value + 1e-12 && piece.high >= value - 1e-12);
+            }
+            QVERIFY(found);
+        }
+    }
+
+    /// At a point where both sides of a choice are equal, of which the box has taken one for certain.
+    void piecesAreKeptWhereADecidedChoiceTies() {
+        const Box box{unit, unit, Interval{-2.5, -1, false}};
+        const Box place{Interval::point(0), Interval::point(0), Interval::point(-1.2)};
+        const Function function =
+            functionOf([](auto, auto, auto z) { return min(z.number(-2), min(z.number(-2), z)); });
+        IntervalGradientEvaluator evaluator(Tape::compile(function), {});
+        const IntervalGradient whole = evaluator.evaluate(box);
+        QVERIFY(whole.smooth && whole.pieced);
+        // The piece that has the slope 1 lies elsewhere in the box.
+        QVERIFY(evaluator.evaluatePieces(place).slope[2].high >= 1);
+    }
+
+    /// Where no margin is below 0 a piece is the function; where one is, another piece is.
+    void marginsTellWhereAPieceIsTheFunction() {
+        using enum Operation;
+        std::mt19937_64 random(seed + 11);
+        RandomFunctionSettings settings;
+        const Operation choosing[] = {minimum,  maximum,  absolute, triangleWave, add,
+                                      subtract, multiply, sine,     square};
+        settings.operations.assign(std::begin(choosing), std::end(choosing));
+        int certain = 0, excluded = 0;
+        for (int round = 0; round < 150000; ++round) {
+            settings.nodes = 3 + static_cast<int>(random() % 8);
+            const Function function = randomFunction(random, settings);
+            IntervalGradientEvaluator evaluator(Tape::compile(function), parameters);
+            ReferenceEvaluator reference(function);
+            const Box box = boxAround(random, 2, -2, 0.3);
+            evaluator.evaluate(box);
+            const std::size_t choices = evaluator.openChoices();
+            if (choices == 0 || choices > 3) continue;
+            const Point q = ::inside(random, box);
+            const Box place{Interval::point(q[0]), Interval::point(q[1]), Interval::point(q[2])};
+            const double value = reference.evaluate(q, parameters), slack = 1e-9 * (1 + std::abs(value));
+            if (!std::isfinite(value)) continue;
+            bool isHeld = false;
+            for (unsigned sides = 0; sides < 1U << choices; ++sides) {
+                const Interval piece = evaluator.evaluatePiece(place, sides).value;
+                const bool holds = value >= piece.low - slack && value <= piece.high + slack;
+                const auto margins = evaluator.margins();
+                QCOMPARE(margins.size(), choices);
+                if (std::ranges::any_of(margins, [](const auto& m) { return m.value.high < 0; })) {
+                    ++excluded;
+                    continue;
+                }
+                isHeld = isHeld || holds;
+                if (!std::ranges::all_of(margins, [](const auto& m) { return m.value.low >= 0; })) continue;
+                ++certain;
+                QVERIFY2(holds, describe(function).c_str());
+            }
+            QVERIFY2(isHeld, describe(function).c_str());
+        }
+        QVERIFY2(certain > 3000 && excluded > 3000, qPrintable(QString::number(certain)));
     }
 
     void noiseStaysWithinItsBounds() {
@@ -296,6 +448,40 @@ class IntervalGradientEvaluatorTest : public QObject {
         };
         QVERIFY(over(remainder, {middle, unit, unit}).bounded());
         QVERIFY(over(remainder, {Interval{-1.2, -0.8, false}, unit, unit}).bounded());
+    }
+
+    void aCutThatChangesTheSignIsNoJumpForEvenFunctions() {
+        const Box behind{Interval{-2, -1, false}, Interval{-0.5, 0.5, false}, unit};
+        const auto half = over([](auto x, auto y, auto) { return cos(atan2(y, x) / 2); }, behind);
+        QVERIFY(half.bounded());
+        // On both sides of the cut, and not over the whole turn between them.
+        QVERIFY(half.value.high < 0.3 && half.steepness < 0.51);
+        QVERIFY(over([](auto x, auto y, auto) { return sq(atan2(y, x)); }, behind).bounded());
+        const auto moved = [](auto x, auto y, auto) { return sq(atan2(y, x) + 0.25); };
+        QCOMPARE(over(moved, behind).hazard, GradientHazard::jump);
+        const auto odd = [](auto x, auto y, auto) { return sin(atan2(y, x) / 2); };
+        QCOMPARE(over(odd, behind).hazard, GradientHazard::jump);
+        const Box step{Interval{0.8, 1.2, false}, unit, unit};
+        const auto fromMiddle = [](auto x, auto, auto) { return abs(mod(x, x.number(1)) - 0.5); };
+        QVERIFY(over(fromMiddle, step).bounded());
+        const auto beside = [](auto x, auto, auto) { return abs(mod(x, x.number(1)) - 0.25); };
+        QCOMPARE(over(beside, step).hazard, GradientHazard::jump);
+    }
+
+    void aDividedAngleIsNoJumpForWaves() {
+        const Box behind{Interval{-2, -1, false}, Interval{-0.5, 0.5, false}, unit};
+        const auto wave = [](double turns) {
+            return [turns](auto x, auto y, auto) {
+                return apply(Operation::triangleWave, turns * atan2(y, x) / (2 * std::numbers::pi));
+            };
+        };
+        QVERIFY(over(wave(3), behind).bounded());
+        QVERIFY(over(wave(3), behind).steepness < 1);
+        QCOMPARE(over(wave(2.5), behind).hazard, GradientHazard::jump);
+        const auto turned = [](auto x, auto y, auto) {
+            return mod(atan2(y, x) + 8, x.number(2 * std::numbers::pi));
+        };
+        QVERIFY(over(turned, behind).bounded());
     }
 
     void noiseNarrowsWithTheBox() {

@@ -81,6 +81,15 @@ class GradientStudyTest : public QObject {
         QVERIFY2(b.boxes <= limit, qPrintable(QString::number(b.boxes)));
     }
 
+    /// Of what is cut off only the part below the limit counts, up to its edge, which is a surface.
+    void theEdgeOfAClampIsBracketed() {
+        const GradientBracket b = bracketOf("min(x*x + y*y + z*z, 1)", ContainerBox{{-2, -2, -2}, {2, 2, 2}});
+        QCOMPARE(b.state, GradientState::tight);
+        QVERIFY(b.lower <= 2 && b.upper >= 2);
+        // More than four times as many where the bound is that of the whole box.
+        QVERIFY2(b.boxes < 90'000, qPrintable(QString::number(b.boxes)));
+    }
+
     void theLowerEndIsAttainedWhereItSays() {
         for (const char* body :
              {"x*x*y - sin(3*z)", "sqrt(x*x+y*y+z*z) - exp(x)/4", "f_noise3d(x*3,y*3,z*3)"}) {

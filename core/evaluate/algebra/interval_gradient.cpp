@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluate/algebra/interval_gradient.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -11,17 +13,17 @@ namespace isoscope::gradient_rules {
 namespace {
 
 /// At least the length of u + v, for vectors in these ranges that are no longer than `longestU` and
-/// `longestV`.
+/// `longestV`; `common` are the axes along which both may have components.
 double lengthOfSum(const std::array<SlopeRange, 3>& u, double longestU, const std::array<SlopeRange, 3>& v,
-                   double longestV) {
+                   double longestV, std::uint8_t common) {
     double twiceDot = 0;
-    for (std::size_t i = 0; i < 3; ++i) twiceDot = raised(twiceDot + 2 * (u[i] * v[i]).high);
+    for (std::size_t i = 0; i < 3; ++i)
+        if (dependsOn(common, i)) twiceDot = raised(twiceDot + 2 * (u[i] * v[i]).high);
     const double squares = raised(raised(longestU * longestU) + raised(longestV * longestV));
     return std::min(raised(longestU + longestV), rootAbove(raised(squares + twiceDot)));
 }
 
-/// Exponents that come out of different products are the same but for rounding.
-bool sameExponent(double a, double b) { return std::abs(a - b) <= 1e-14 * a; }
+bool sameExponent(double a, double b) { return std::abs(a - b) <= sameExponents * a; }
 
 }  // namespace
 
@@ -81,7 +83,11 @@ double eigenvalueAbove(const std::array<SlopeRange, 6>& m) {
 void settle(IntervalGradient& a) {
     bool finite = true;
     for (const SlopeRange& range : a.slope) finite = finite && range.isFinite();
-    if (finite) a.steepness = std::min(a.steepness, lengthAbove(a.slope));
+    if (finite && std::has_single_bit(a.axes))
+        a.steepness =
+            std::min(a.steepness, a.slope[static_cast<std::size_t>(std::countr_zero(a.axes))].size());
+    else if (finite)
+        a.steepness = std::min(a.steepness, lengthAbove(a.slope));
     if (!finite || !(a.steepness < unlimited)) {
         a = hazardous(a.value, a.axes, worse(a.hazard, GradientHazard::overflow));
         return;
@@ -90,10 +96,25 @@ void settle(IntervalGradient& a) {
     for (const SlopeRange& range : a.bend) a.smooth = a.smooth && range.isFinite();
 }
 
+IntervalGradient afterWrap(const IntervalGradient& a) {
+    // Wraps are rounded, by every factor.
+    const double least = a.wrap * (1 - 1e-14), most = a.wrap * (1 + 1e-14);
+    IntervalGradient result = a;
+    result.value = a.value - Interval{std::min(least, most), std::max(least, most), false};
+    result.wrap = 0;
+    result.rootExponent = 0;
+    result.origin = 0;
+    return result;
+}
+
+bool cutsAroundZero(const IntervalGradient& a) {
+    return std::abs(a.cutAt - a.wrap / 2) <= 1e-14 * std::abs(a.wrap);
+}
+
 IntervalGradient resolveWrap(const IntervalGradient& a) {
     IntervalGradient result = a;
     if (a.wrap == 0) return result;
-    result.value = hull(a.value, a.value - Interval::point(a.wrap));
+    result.value = hull(a.value, afterWrap(a).value);
     result.wrap = 0;
     result.hazard = worse(a.hazard, GradientHazard::jump);
     result.smooth = false;
@@ -144,7 +165,7 @@ IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, con
         result.slope[i] = first[i] + second[i];
     }
     result.steepness = lengthOfSum(first, raised(h.byFirst.size() * u.steepness), second,
-                                   raised(h.bySecond.size() * v.steepness));
+                                   raised(h.bySecond.size() * v.steepness), u.axes & v.axes);
     result.pieced = u.pieced || v.pieced;
     result.smooth = u.smooth && v.smooth && !u.pieced && !v.pieced && h.twiceFirst.isFinite() &&
                     h.mixed.isFinite() && h.twiceSecond.isFinite();
@@ -175,6 +196,7 @@ IntervalGradient scaled(const IntervalGradient& a, double factor) {
     if (factor == 0 && rangeOf(a.value).isFinite() && !a.value.maybeUndefined)
         return constant(Interval::point(0));
     result.wrap = a.wrap * factor;
+    result.cutAt = a.cutAt * factor;
     if (a.hazard > GradientHazard::jump) return result;
     for (std::size_t i = 0; i < 3; ++i)
         if (dependsOn(a.axes, i)) result.slope[i] = factor * a.slope[i];
@@ -183,7 +205,9 @@ IntervalGradient scaled(const IntervalGradient& a, double factor) {
         forEachBend(a.axes,
                     [&](std::size_t, std::size_t, std::size_t k) { result.bend[k] = factor * a.bend[k]; });
     result.rootExponent = factor > 0 ? a.rootExponent : 0;
+    result.root.known = result.root.known && result.isSumOfPowers();
     if (result.isSumOfPowers()) {
+        result.root = scaledRoot(a.root, Interval::point(factor), a.rootExponent);
         result.rootSteepness = raised(std::pow(factor, 1 / a.rootExponent) * (1 + 1e-14) * a.rootSteepness);
         forEachBend(a.axes, [&](std::size_t, std::size_t, std::size_t k) {
             result.rootSpread[k] = factor * a.rootSpread[k];
@@ -202,7 +226,28 @@ bool isWaveAboveZero(const IntervalGradient& lift, const IntervalGradient& wave)
 
 }  // namespace
 
+namespace {
+
+/// a + shift: the slopes stay.
+IntervalGradient moved(const IntervalGradient& a, const Interval& shift) {
+    IntervalGradient result = a;
+    result.value = a.value + shift;
+    if (result.value.empty()) return undefinedEverywhere();
+    result.origin = 0;
+    result.angleSteepness = 0;
+    result.rootExponent = 0;
+    if (a.wrap != 0)
+        result.cutAt = shift.isPoint() ? a.cutAt + shift.low : std::numeric_limits<double>::quiet_NaN();
+    return result;
+}
+
+}  // namespace
+
 IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
+    const bool keepsPowers =
+        a.isSumOfPowers() || b.isSumOfPowers() || a.angleSteepness > 0 || b.angleSteepness > 0;
+    if (b.isConstant() && !keepsPowers && a.bounded()) return moved(a, b.value);
+    if (a.isConstant() && !keepsPowers && b.bounded()) return moved(b, a.value);
     // Two cuts may lie at different places.
     if (a.wrap != 0 && b.wrap != 0) return sum(resolveWrap(a), resolveWrap(b));
     IntervalGradient result;
@@ -212,9 +257,13 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
     result.hazard = worse(a.hazard, b.hazard);
     if (result.hazard > GradientHazard::jump) return hazardous(result.value, result.axes, result.hazard);
     result.wrap = a.wrap + b.wrap;
+    if (result.wrap != 0) {
+        const IntervalGradient& other = a.wrap != 0 ? b : a;
+        if (other.value.isPoint()) result.cutAt = (a.wrap != 0 ? a : b).cutAt + other.value.low;
+    }
     for (std::size_t i = 0; i < 3; ++i)
         if (dependsOn(result.axes, i)) result.slope[i] = a.slope[i] + b.slope[i];
-    result.steepness = lengthOfSum(a.slope, a.steepness, b.slope, b.steepness);
+    result.steepness = lengthOfSum(a.slope, a.steepness, b.slope, b.steepness, a.axes & b.axes);
     result.smooth = a.smooth && b.smooth;
     result.pieced = a.pieced || b.pieced;
     if (result.smooth)
@@ -222,10 +271,16 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
                     [&](std::size_t, std::size_t, std::size_t k) { result.bend[k] = a.bend[k] + b.bend[k]; });
     if (a.isSumOfPowers() && b.isSumOfPowers() && sameExponent(a.rootExponent, b.rootExponent)) {
         addRoots(a, b, result);
+        if (a.rootExponent == b.rootExponent)
+            result.root = joinedRoot(a.root, b.root, a.rootExponent, result.axes);
     } else if ((a.isSumOfPowers() && b.isConstant() && b.value.low >= 0) ||
                (b.isSumOfPowers() && a.isConstant() && a.value.low >= 0)) {
         // A positive constant only flattens the root.
-        const IntervalGradient& powers = a.isSumOfPowers() ? a : b;
+        const bool first = a.isSumOfPowers();
+        const IntervalGradient& powers = first ? a : b;
+        if (powers.root.known)
+            result.root = joinedRoot(powers.root, constantRoot((first ? b : a).value, powers.rootExponent),
+                                     powers.rootExponent, result.axes);
         result.rootExponent = powers.rootExponent;
         result.rootSteepness = powers.rootSteepness;
         result.rootSpread = powers.rootSpread;
@@ -248,6 +303,10 @@ void makeSquare(const IntervalGradient& a, const IntervalGradient& b, IntervalGr
     result.value.low = std::max(0.0, result.value.low);
     result.rootExponent = 2;
     result.rootSteepness = rootAbove(raised(a.steepness * b.steepness));
+    const std::size_t axis = static_cast<std::size_t>(std::abs(a.origin)) - 1;
+    if (a.value == b.value && a.slope[axis].low == b.slope[axis].low &&
+        a.slope[axis].high == b.slope[axis].high)
+        result.root = rootOf(a);
     forEachBend(result.axes, [&](std::size_t i, std::size_t j, std::size_t k) {
         // Parts of one gradient, up to a factor: on the diagonal they have the same sign.
         result.rootSpread[k] = a.slope[i] * b.slope[j];
@@ -287,6 +346,11 @@ IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, co
         });
     if (a.angleSteepness > 0 && b.angleSteepness > 0)
         result.angleSteepness = std::max(a.angleSteepness, b.angleSteepness);
+    if (a.isSumOfPowers() && a.rootExponent == b.rootExponent) {
+        result.rootExponent = a.rootExponent;
+        result.rootSteepness = std::max(a.rootSteepness, b.rootSteepness);
+        for (std::size_t k = 0; k < 6; ++k) result.rootSpread[k] = hull(a.rootSpread[k], b.rootSpread[k]);
+    }
     settle(result);
     return result;
 }

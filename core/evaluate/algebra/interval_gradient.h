@@ -21,6 +21,16 @@ enum class GradientHazard : std::uint8_t {
     unknown,    ///< no bounds exist for the operation
 };
 
+/// A function whose magnitude is the root of a sum of powers, over a box: of |u|^e it is u itself, of the sum
+/// of two the norm of their roots. Slopes hold wherever it is differentiable.
+struct PowerRoot {
+    bool known = false;
+    bool smooth = false;  ///< twice differentiable in the whole box; `bend` is known
+    SlopeRange value;
+    std::array<SlopeRange, 3> slope{};
+    std::array<SlopeRange, 6> bend{};
+};
+
 /// A value over a box with its derivatives in x, y and z. Sound: every value lies in `value`, and wherever
 /// the function is differentiable its derivatives lie in the ranges. While `hazard` is none the function is
 /// Lipschitz on the box (where it is defined), and `steepness` is a Lipschitz constant.
@@ -40,6 +50,8 @@ struct IntervalGradient {
     /// an angle). 0 for everything else. Needs resolving (resolveWrap) before anything but sums and periodic
     /// functions uses the value.
     double wrap = 0;
+    /// The value at the jump, which is from this to `wrap` less; NaN where that is not known.
+    double cutAt = std::numeric_limits<double>::quiet_NaN();
     /// Of a sine or cosine, or of one times -1: a Lipschitz constant of its angle. 0 for everything else.
     /// With 1 added it is twice the square of another sine, and so a sum of powers.
     double angleSteepness = 0;
@@ -51,6 +63,7 @@ struct IntervalGradient {
     /// For e = 2 also ranges of the matrix that sums up grad(u_i) grad(u_i)^T: sqrt(s) has no gradient longer
     /// than the root of its largest eigenvalue.
     std::array<SlopeRange, 6> rootSpread{};
+    PowerRoot root;  ///< of such a sum
 
     /// Whether the value depends on no coordinate, whether it is a sum of powers whose root is known
     /// (rootSteepness), and whether the function is Lipschitz on the box with the constant `steepness`.
@@ -103,6 +116,10 @@ void settle(IntervalGradient& a);
 inline GradientHazard worse(GradientHazard a, GradientHazard b) { return a < b ? b : a; }
 /// Makes a pending wrap an ordinary jump.
 IntervalGradient resolveWrap(const IntervalGradient& a);
+/// Whether a pending wrap jumps from a value to minus that, which even functions do not show.
+bool cutsAroundZero(const IntervalGradient& a);
+/// The values after a pending wrap, without one.
+IntervalGradient afterWrap(const IntervalGradient& a);
 
 /// factor a, a + b and a b, with what a later root can use: sums of powers (IntervalGradient::rootExponent)
 /// are recognized. A factor that is not finite makes an overflow.
@@ -111,6 +128,20 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b);
 IntervalGradient product(const IntervalGradient& a, const IntervalGradient& b);
 /// What is one or the other at each place of the box; continuous where they meet.
 IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, const Interval& value);
+
+/// function(u) of one value with a pending wrap: what it is on both sides of the cut, with a jump between
+/// them unless nothing jumps there for an even function.
+template <class Function>
+IntervalGradient acrossCut(const IntervalGradient& u, bool isEven, Function function) {
+    IntervalGradient before = u;
+    before.wrap = 0;
+    const IntervalGradient a = resolveWrap(function(before)), b = resolveWrap(function(afterWrap(u)));
+    IntervalGradient result = either(a, b, hull(a.value, b.value));
+    if (!isEven || !cutsAroundZero(u)) result.hazard = worse(result.hazard, GradientHazard::jump);
+    // The choice is none of those that pieces are told by.
+    result.smooth = false;
+    return result;
+}
 
 /// h(u, v) for a function of two values with first and second derivatives.
 struct TwoDerivatives {

@@ -28,11 +28,6 @@ IntervalGradient extremum(Operation operation, const IntervalGradient& a, const 
     if (!mayJump(a, b) && lower.value.high <= upper.value.low) return isMinimum ? lower : upper;
     IntervalGradient result = either(a, b, valueOf(operation, a, b));
     if (mayJump(a, b)) result.hazard = worse(result.hazard, GradientHazard::jump);
-    if (a.isSumOfPowers() && a.rootExponent == b.rootExponent && result.bounded()) {
-        result.rootExponent = a.rootExponent;
-        result.rootSteepness = std::max(a.rootSteepness, b.rootSteepness);
-        for (std::size_t k = 0; k < 6; ++k) result.rootSpread[k] = hull(a.rootSpread[k], b.rootSpread[k]);
-    }
     return result;
 }
 
@@ -47,15 +42,62 @@ bool isOpenChoice(Operation operation, Operands operands) {
            (mayJump(*operands[0], *operands[1]) || (a.high > b.low && b.high > a.low));
 }
 
+ChosenSide chosenSide(Operation operation, Operands operands) {
+    const IntervalGradient& a = *operands[0];
+    if (a.wrap != 0 || a.value.empty() || a.value.maybeUndefined) return ChosenSide::open;
+    if (operation == Operation::absolute) {
+        if (a.value.low >= 0) return ChosenSide::first;
+        return a.value.high <= 0 ? ChosenSide::second : ChosenSide::open;
+    }
+    if (operation != Operation::minimum && operation != Operation::maximum) return ChosenSide::open;
+    const IntervalGradient& b = *operands[1];
+    if (b.wrap != 0 || b.value.empty() || b.value.maybeUndefined) return ChosenSide::open;
+    const bool isMinimum = operation == Operation::minimum;
+    if (a.value.high <= b.value.low) return isMinimum ? ChosenSide::first : ChosenSide::second;
+    if (b.value.high <= a.value.low) return isMinimum ? ChosenSide::second : ChosenSide::first;
+    return ChosenSide::open;
+}
+
 IntervalGradient openChoice(Operation operation, Operands operands) {
     const IntervalGradient& a = *operands[0];
-    if (operation == Operation::absolute) return either(a, scaled(a, -1), abs(a.value));
+    if (operation == Operation::absolute) return magnitudeOf(a);
     return either(a, *operands[1], valueOf(operation, a, *operands[1]));
 }
 
 IntervalGradient takenSide(Operation operation, Operands operands, bool second) {
     if (operation == Operation::absolute) return second ? scaled(*operands[0], -1) : *operands[0];
     return *operands[second ? 1 : 0];
+}
+
+IntervalGradient marginOf(Operation operation, Operands operands, bool second) {
+    const IntervalGradient a = resolveWrap(*operands[0]);
+    if (operation == Operation::absolute) return second ? scaled(a, -1) : a;
+    const IntervalGradient b = resolveWrap(*operands[1]);
+    if (mayJump(a, b)) return hazardous(Interval::unknown(), a.axes | b.axes, GradientHazard::unknown);
+    const IntervalGradient difference = sum(b, scaled(a, -1));
+    return (operation == Operation::minimum) != second ? difference : scaled(difference, -1);
+}
+
+double cornerOf(const IntervalGradient& u) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN(), close = 1e-6, farthest = 1e9;
+    if (u.isConstant() || u.value.empty() || (u.wrap != 0 && !isWhole(u.wrap, 1))) return none;
+    if (!(std::max(std::abs(u.value.low), std::abs(u.value.high)) < farthest)) return none;
+    const double corner = std::ceil(2 * u.value.low) / 2;
+    // Not so wide that a place in the box could be taken for one a period away.
+    const bool within = u.value.low < corner && u.value.high > corner && u.value.low > corner - 0.5 + close &&
+                        u.value.high < corner + 0.5 - close;
+    return within ? corner : none;
+}
+
+IntervalGradient fromCorner(const IntervalGradient& operand, double corner) {
+    const IntervalGradient u = withoutCut(operand);
+    const double middle = 0.5 * u.value.low + 0.5 * u.value.high, periods = std::round(corner - middle);
+    return scaled(sum(u, constant(Interval::point(periods) - Interval::point(corner))), 2);
+}
+
+IntervalGradient aboutCorner(const IntervalGradient& magnitude, double corner) {
+    const bool isTop = corner != std::floor(corner);
+    return isTop ? sum(scaled(magnitude, -1), constant(Interval::point(1))) : magnitude;
 }
 
 IntervalGradient minimumOf(const IntervalGradient& a, const IntervalGradient& b) {
@@ -67,6 +109,16 @@ IntervalGradient maximumOf(const IntervalGradient& a, const IntervalGradient& b)
 }
 
 IntervalGradient remainderOf(const IntervalGradient& a, const IntervalGradient& b) {
+    if (b.wrap != 0) return remainderOf(a, resolveWrap(b));
+    if (a.wrap != 0) {
+        // It repeats itself while the dividend keeps its sign.
+        const Interval after = afterWrap(a).value;
+        const bool keepsSign =
+            std::min(after.low, a.value.low) >= 0 || std::max(after.high, a.value.high) <= 0;
+        if (keepsSign && b.isConstant() && b.value.isPoint() && isWhole(a.wrap, b.value.low))
+            return remainderOf(withoutCut(a), b);
+        return acrossCut(a, false, [&](const IntervalGradient& u) { return remainderOf(u, b); });
+    }
     const Interval value = mod(a.value, b.value);
     const std::uint8_t axes = a.axes | b.axes;
     if (axes == 0) return constant(value);
@@ -99,6 +151,7 @@ IntervalGradient remainderOf(const IntervalGradient& a, const IntervalGradient& 
     if (!continued.bounded()) return result;
     result = continued;
     result.wrap = b.value.low;
+    result.cutAt = first >= 0 ? b.value.low : 0;
     return result;
 }
 
@@ -123,6 +176,7 @@ IntervalGradient selectOf(Operands operands) {
         result.rootExponent = 0;
         result.origin = 0;
         result.wrap = -operands[2]->value.low;
+        result.cutAt = std::numeric_limits<double>::quiet_NaN();
         return result;
     }
     Interval value = hull(negative.value, positive.value);

@@ -23,7 +23,7 @@ Derivatives derivatives(const Interval& first, const Interval& second) {
 IntervalGradient absoluteOf(const IntervalGradient& u) {
     if (u.value.empty() || u.value.low >= 0) return u;
     if (u.value.high <= 0) return scaled(u, -1);
-    return either(u, scaled(u, -1), abs(u.value));
+    return magnitudeOf(u);
 }
 
 IntervalGradient logarithmOf(const IntervalGradient& u, const Interval& value, double factor) {
@@ -34,17 +34,11 @@ IntervalGradient logarithmOf(const IntervalGradient& u, const Interval& value, d
                  GradientHazard::pole);
 }
 
-/// sin or cos. A cut that is a whole number of turns is no cut for them.
+/// sin or cos.
 IntervalGradient waveOf(const IntervalGradient& operand, bool isSine) {
-    IntervalGradient u = operand;
-    if (u.wrap != 0) {
-        const double turns = u.wrap / (2 * std::numbers::pi);
-        const bool whole = std::abs(turns - std::round(turns)) <= 1e-12 * std::abs(turns);
-        if (whole)
-            u.wrap = 0;
-        else
-            u = resolveWrap(u);
-    }
+    if (operand.wrap != 0 && !isWhole(operand.wrap, 2 * std::numbers::pi))
+        return acrossCut(operand, !isSine, [&](const IntervalGradient& u) { return waveOf(u, isSine); });
+    const IntervalGradient u = withoutCut(operand);
     const Interval sine = sin(u.value), cosine = cos(u.value);
     IntervalGradient wave = isSine ? chain(u, sine, derivatives(cosine, -sine), GradientHazard::overflow)
                                    : chain(u, cosine, derivatives(-sine, -cosine), GradientHazard::overflow);
@@ -61,9 +55,16 @@ IntervalGradient cycleOf(const IntervalGradient& u) {
     return wave;
 }
 
-IntervalGradient triangleWaveOf(const IntervalGradient& u) {
-    const std::array<Interval, 1> operand{u.value};
-    const Interval value = evaluateOperation(Operation::triangleWave, operand);
+IntervalGradient triangleWaveOf(const IntervalGradient& operand) {
+    if (operand.wrap != 0 && !isWhole(operand.wrap, 1)) return acrossCut(operand, false, triangleWaveOf);
+    const IntervalGradient u = withoutCut(operand);
+    const std::array<Interval, 1> values{u.value};
+    const Interval value = evaluateOperation(Operation::triangleWave, values);
+    if (const double corner = cornerOf(u); !std::isnan(corner) && u.hazard <= GradientHazard::jump) {
+        IntervalGradient result = aboutCorner(magnitudeOf(fromCorner(u, corner)), corner);
+        result.value = value;
+        return result;
+    }
     const double half = std::floor(2 * u.value.low);
     const bool straight = half == std::floor(2 * u.value.high);
     if (!straight) return chain(u, value, {SlopeRange::within(2)}, GradientHazard::overflow);
@@ -106,16 +107,36 @@ IntervalGradient areaOf(Operation operation, const IntervalGradient& u) {
 
 }  // namespace
 
+IntervalGradient magnitudeOf(const IntervalGradient& u) {
+    IntervalGradient result = either(u, scaled(u, -1), abs(u.value));
+    if (result.hazard > GradientHazard::jump || result.isConstant()) return result;
+    result.rootExponent = 1;
+    result.rootSteepness = u.steepness;
+    result.root = rootOf(u);
+    return result;
+}
+
+bool isWhole(double wrap, double period) {
+    const double turns = wrap / period;
+    return std::abs(turns - std::round(turns)) <= 1e-12 * std::abs(turns);
+}
+
+IntervalGradient withoutCut(const IntervalGradient& u) {
+    IntervalGradient result = u;
+    result.wrap = 0;
+    return result;
+}
+
 IntervalGradient elementary(Operation operation, const IntervalGradient& operand) {
     if (operation == Operation::negate) return scaled(operand, -1);
     if (operation == Operation::sine || operation == Operation::cosine)
         return waveOf(operand, operation == Operation::sine);
     if (operation == Operation::cycle) return cycleOf(operand);
+    if (operation == Operation::triangleWave) return triangleWaveOf(operand);
     const IntervalGradient& u = operand;
     const Interval& x = u.value;
     switch (operation) {
         case Operation::absolute: return absoluteOf(u);
-        case Operation::triangleWave: return triangleWaveOf(u);
         case Operation::square: return squareOf(u);
         case Operation::squareRoot: return squareRootOf(u);
         case Operation::exponential: {
@@ -176,12 +197,17 @@ IntervalGradient arcTangent2Of(const IntervalGradient& a, const IntervalGradient
         result.steepness = std::min(result.steepness, raised(raised(1 / rootBelow(square2.low)) * stretch));
         settle(result);
     }
-    if (cut && result.bounded()) result.wrap = 2 * std::numbers::pi;
+    if (cut && result.bounded()) {
+        result.wrap = 2 * std::numbers::pi;
+        result.cutAt = std::numbers::pi;
+    }
     if (cut && !result.bounded()) result.value = atan2(y, x);
     return result;
 }
 
 IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b) {
+    const bool byConstant = b.isConstant() && b.value.isPoint();
+    if (b.wrap != 0 || (a.wrap != 0 && !byConstant)) return quotient(resolveWrap(a), resolveWrap(b));
     const Interval value = a.value / b.value;
     const std::uint8_t axes = a.axes | b.axes;
     if (axes == 0) return constant(value);
@@ -193,10 +219,15 @@ IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b) 
     const TwoDerivatives h{
         rangeOf(inverse), rangeOf(slope), {}, rangeOf(-inverse2), rangeOf(times(-2, slope * inverse))};
     IntervalGradient result = chain(a, b, value, h, GradientHazard::overflow);
+    if (a.wrap != 0) {
+        result.wrap = a.wrap / b.value.low;
+        result.cutAt = a.cutAt / b.value.low;
+    }
     if (b.isConstant() && b.value.low > 0 && a.isSumOfPowers() && result.bounded()) {
         result.rootExponent = a.rootExponent;
         result.rootSteepness =
             raised(a.rootSteepness * std::pow(inverse.high, 1 / a.rootExponent) * (1 + 1e-14));
+        result.root = scaledRoot(a.root, inverse, a.rootExponent);
         for (std::size_t k = 0; k < 6; ++k) result.rootSpread[k] = rangeOf(inverse) * a.rootSpread[k];
     }
     return result;

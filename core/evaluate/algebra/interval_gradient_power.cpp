@@ -61,6 +61,11 @@ IntervalGradient squareOf(const IntervalGradient& u) {
     result.rootExponent = 2;
     result.rootSteepness = u.steepness;
     result.rootSpread = outerSquare(u);
+    result.root = u.rootExponent == 1 ? u.root : rootOf(u);
+    if (u.pieced) {
+        usePowerOfRoot(result.root, 2, result);
+        settle(result);
+    }
     return result;
 }
 
@@ -85,7 +90,9 @@ void useRoot(const IntervalGradient& s, double n, IntervalGradient& result) {
         result.rootExponent = exponent;
         result.rootSteepness = rootSlopeAbove(s);
         result.rootSpread = spreadWithin(result.rootSteepness);
+        result.root = s.root;
     }
+    usePowerOfRoot(s.root, exponent, result);
     settle(result);
 }
 
@@ -130,13 +137,14 @@ IntervalGradient wholePowerOf(const IntervalGradient& u, double n) {
     const SlopeRange first = n * rangeOf(power(n - 1));
     IntervalGradient result =
         chain(u, power(n), {first, (n * (n - 1)) * rangeOf(power(n - 2))}, GradientHazard::overflow);
-    if (std::fmod(n, 2) != 0 || !result.bounded() || result.isConstant()) return result;
+    if (!result.bounded() || result.isConstant()) return result;
     if (u.isSumOfPowers()) {
         useRoot(u, n, result);
-        return result;
+    } else if (std::fmod(n, 2) == 0) {
+        result.rootExponent = n;
+        result.rootSteepness = u.steepness;
+        result.root = rootOf(u);
     }
-    result.rootExponent = n;
-    result.rootSteepness = u.steepness;
     return result;
 }
 
@@ -164,6 +172,7 @@ IntervalGradient powerOf(const IntervalGradient& u, double n) {
         if (result.bounded() && n >= 1 && !u.isSumOfPowers() && u.value.low > 0) {
             result.rootExponent = n;
             result.rootSteepness = u.steepness;
+            result.root = rootOf(u);
         } else if (usable && result.bounded()) {
             useRoot(u, n, result);
         }
@@ -178,6 +187,9 @@ IntervalGradient powerOf(const IntervalGradient& u, double n) {
     if (result.bounded() && u.value.low >= 0) {
         result.rootExponent = n;
         result.rootSteepness = u.steepness;
+        result.root = rootOf(u);
+        usePowerOfRoot(result.root, n, result);
+        settle(result);
     }
     return result;
 }

@@ -28,6 +28,24 @@ std::array<SlopeRange, 6> spreadWithin(double steepness);
 /// Tells `result`, the sum of two sums of powers with the same exponent, what is known of its root.
 void addRoots(const IntervalGradient& s, const IntervalGradient& t, IntervalGradient& result);
 
+/// Exponents that come out of different products are the same but for rounding.
+constexpr double sameExponents = 1e-14;
+
+/// What is known of u as the root of |u|^e, of a constant that is not negative as a power, of the root of
+/// s times a positive factor, and of the root of the sum of two powers with the same exponent.
+PowerRoot rootOf(const IntervalGradient& u);
+PowerRoot constantRoot(const Interval& value, double exponent);
+PowerRoot scaledRoot(const PowerRoot& root, const Interval& factor, double exponent);
+PowerRoot joinedRoot(const PowerRoot& a, const PowerRoot& b, double exponent, std::uint8_t axes);
+/// Narrows slopes and bends of `result` to those of |root|^exponent, for an exponent >= 1; to be settled.
+void usePowerOfRoot(const PowerRoot& root, double exponent, IntervalGradient& result);
+
+/// Whether a wrap is none for functions of this period, and the operand of such a function.
+bool isWhole(double wrap, double period);
+IntervalGradient withoutCut(const IntervalGradient& u);
+
+/// |u|, where u may be 0.
+IntervalGradient magnitudeOf(const IntervalGradient& u);
 /// Operations of one value, wraps resolved where the operation cannot use them.
 IntervalGradient elementary(Operation operation, const IntervalGradient& u);
 
@@ -39,10 +57,22 @@ IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b);
 /// where the base may be 0 or less.
 IntervalGradient power(const IntervalGradient& base, const IntervalGradient& exponent);
 
+/// Of a triangle wave over a box with one of its corners: the corner; NaN for other boxes. With the distance
+/// from the corner, times 2, the wave is its magnitude or 1 minus that.
+double cornerOf(const IntervalGradient& u);
+IntervalGradient fromCorner(const IntervalGradient& u, double corner);
+/// The wave for what stands for the magnitude.
+IntervalGradient aboutCorner(const IntervalGradient& magnitude, double corner);
+
 /// Whether a min, max or abs takes now one side, now the other; its value then; and one of the sides.
 bool isOpenChoice(Operation operation, Operands operands);
 IntervalGradient openChoice(Operation operation, Operands operands);
+/// Which side a min, max or abs takes in the whole box, if it is certain.
+enum class ChosenSide : std::uint8_t { open, first, second };
+ChosenSide chosenSide(Operation operation, Operands operands);
 IntervalGradient takenSide(Operation operation, Operands operands, bool second);
+/// Below 0 where the other side is taken.
+IntervalGradient marginOf(Operation operation, Operands operands, bool second);
 
 /// Operations that take one operand or another, or have steps.
 IntervalGradient minimumOf(const IntervalGradient& a, const IntervalGradient& b);

@@ -214,7 +214,7 @@ void GradientStudy::consider(GradientBox box, double known, GradientHazard hazar
         known = std::min(known, finding.bound);
         if (finding.hazard == GradientHazard::jump && findJump(box, finding.slope)) return;
         if (finding.shrunk) continue;
-        const Region region{box, known, axisToHalve(box, finding.influence), finding.hazard};
+        const Region region = regionOf(box, known, finding);
         if (known == infinite) {
             if (beside_ && box.width() <= leftOut_.width() * (1 + 1e-9))
                 leaveOut(box, finding.hazard);
@@ -229,6 +229,22 @@ void GradientStudy::consider(GradientBox box, double known, GradientHazard hazar
     }
 }
 
+GradientStudy::Region GradientStudy::regionOf(const GradientBox& box, double bound, const Finding& finding) {
+    Region region{box, bound, axisToHalve(box, finding.influence), finding.hazard};
+    GradientBox half = box;
+    half.high[region.axis] = 0.5 * box.low[region.axis] + 0.5 * box.high[region.axis];
+    std::array<double, 3> influence = finding.influence;
+    influence[static_cast<std::size_t>(region.axis)] *= 0.5;
+    region.nextAxis = axisToHalve(half, influence);
+    return region;
+}
+
+/// By powers of two of what the bound is above the target.
+std::size_t GradientStudy::distanceClass(double bound) const {
+    const double excess = (bound - target()) / target();
+    return static_cast<std::size_t>(std::clamp(std::ilogb(std::max(excess, 1e-300)) + 10, 0, 15));
+}
+
 GradientStudy::Finding GradientStudy::examine(GradientBox& box) {
     const IntervalGradient whole = intervals_.evaluate(box.intervals());
     Finding finding;
@@ -240,15 +256,15 @@ GradientStudy::Finding GradientStudy::examine(GradientBox& box) {
     finding.slope = whole.slope;
     for (int k = 0; k < 3; ++k)
         if ((whole.axes >> k & 1) != 0) finding.influence[k] = box.high[k] - box.low[k];
-    if (!whole.smooth && !finding.settled && whole.bounded() && !whole.value.maybeUndefined)
-        useCases(box, whole, finding);
-    if (!whole.smooth) return finding;
+    if (finding.settled || !whole.bounded() || whole.value.maybeUndefined) return finding;
     // Slopes at a point gain nothing where several pieces bend much over the box, or where the box is done
     // with.
     const double turn = normAbove(whole.bend) * 0.5 * glm::length(box.high - box.low);
     const bool pays = !whole.pieced || (turn < 0.1 * whole.steepness && whole.steepness > target());
-    if (!finding.settled && whole.bounded() && pays && !whole.value.maybeUndefined)
+    if (whole.smooth && pays)
         useCurvature(box, whole, finding);
+    else
+        useCases(box, whole, finding);
     return finding;
 }
 
@@ -263,7 +279,8 @@ glm::dvec3 GradientStudy::middleOf(const GradientBox& box) const {
 /// the gradient of the square of the length.
 double GradientStudy::curvatureBound(const GradientDomain& domain, const GradientBox& box,
                                      const glm::dvec3& p, const IntervalGradient& piece,
-                                     const IntervalGradient& at, std::array<SlopeRange, 3>& growth) {
+                                     const IntervalGradient& at, std::array<SlopeRange, 3>& growth,
+                                     std::span<const Margin> margins) {
     std::array<SlopeRange, 3> slope = piece.slope;
     for (int i = 0; i < 3; ++i) {
         SlopeRange from = at.slope[i];
@@ -277,7 +294,30 @@ double GradientStudy::curvatureBound(const GradientDomain& domain, const Gradien
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) growth[i] = growth[i] + piece.bend[bendIndex(i, j)] * slope[j];
     const double length = std::min(at.steepness, gradient_rules::lengthAbove(at.slope));
-    const double square = raised(raised(length * length) + 2 * domain.advance(growth, box, p));
+    std::array<SlopeRange, 3> change;
+    for (std::size_t i = 0; i < 3; ++i) change[i] = 2 * growth[i];
+    double grown = domain.advance(change, box, p), added = 0;
+    // What is not below 0 may be added, times any factor: with Lagrange's the growth towards the edge of the
+    // piece is gone.
+    for (const Margin& margin : margins) {
+        double along = 0, squares = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double slopeInMiddle = 0.5 * margin.slope[i].low + 0.5 * margin.slope[i].high;
+            along += (0.5 * change[i].low + 0.5 * change[i].high) * slopeInMiddle;
+            squares += slopeInMiddle * slopeInMiddle;
+        }
+        const double factor = -along / squares;
+        if (!(factor > 0) || !std::isfinite(factor)) continue;
+        std::array<SlopeRange, 3> next;
+        for (std::size_t i = 0; i < 3; ++i) next[i] = change[i] + factor * margin.slope[i];
+        const double start = raised(added + raised(factor * margin.at));
+        const double less = raised(start + domain.advance(next, box, p));
+        if (!(less < grown)) continue;
+        grown = less;
+        added = start;
+        change = next;
+    }
+    const double square = raised(raised(length * length) + grown);
     return std::min({piece.steepness, gradient_rules::lengthAbove(slope), rootAbove(square)});
 }
 
@@ -293,16 +333,18 @@ void GradientStudy::useCurvature(GradientBox& box, const IntervalGradient& whole
     const glm::dvec3 p = middleOf(box);
     const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
     // Of all pieces, whichever the point belongs to.
-    const IntervalGradient at = whole.pieced ? intervals_.evaluatePieces(point) : intervals_.evaluate(point);
+    const std::size_t choices = intervals_.openChoices();
+    const IntervalGradient at =
+        whole.pieced ? intervals_.evaluatePieces(point) : intervals_.evaluateSlopes(point);
     if (!at.bounded()) return;
-    if (!whole.pieced)
-        offerGradient(p, at);
-    else if (steepnessAt(p) > bracket_.lower * (1 + 1e-9))
-        offerPoint(p);
+    if (!whole.pieced) offerGradient(p, at);
 
     std::array<SlopeRange, 3> growth{};
     finding.bound = std::min(finding.bound, curvatureBound(domain_, box, p, whole, at, growth));
     for (int k = 0; k < 3; ++k) finding.influence[k] *= growth[k].size();
+    if (whole.pieced) tryPieces(box, finding, choices);
+    // Other points end what is known of the choices of the box.
+    if (whole.pieced && steepnessAt(p) > bracket_.lower * (1 + 1e-9)) offerPoint(p);
     offerSteepest(box, growth);
     // Where one piece takes over from another the length may fall.
     if (!whole.pieced) useMonotony(box, growth, finding);
@@ -316,18 +358,25 @@ void GradientStudy::useCases(const GradientBox& box, const IntervalGradient& who
     // Those in loops are not counted.
     const std::size_t choices = intervals_.openChoices();
     std::array<SlopeRange, 3> growth{};
-    const bool large = box.width() > largeBox * domain_.box().width();
-    if (whole.pieced && choices > 0 && choices <= (large ? mostInLargeBoxes : mostOpenChoices) &&
-        casesPay_.tries()) {
-        const double before = finding.bound;
-        growth = usePieces(box, finding, choices);
-        // Halving the box three times, for about as many evaluations, takes half of the excess away.
-        casesPay_.note(finding.bound - target() < 0.5 * (before - target()));
-    }
+    if (whole.pieced) growth = tryPieces(box, finding, choices);
     if (fold && finding.bound > target()) useFold(box, *fold, finding);
     if (finding.bound <= target()) return;
     if (const glm::dvec3 p = middleOf(box); steepnessAt(p) > bracket_.lower * (1 + 1e-9)) offerPoint(p);
     if (choices > 0) offerSteepest(box, growth);
+}
+
+/// usePieces() where there are few choices and it is worth its evaluations.
+std::array<SlopeRange, 3> GradientStudy::tryPieces(const GradientBox& box, Finding& finding,
+                                                   std::size_t choices) {
+    const double before = finding.bound;
+    const bool large = box.width() > largeBox * domain_.box().width();
+    if (before <= target() || choices == 0 || choices > (large ? mostInLargeBoxes : mostOpenChoices))
+        return {};
+    if (!casesPay_.tries()) return {};
+    const std::array<SlopeRange, 3> growth = usePieces(box, finding, choices);
+    // Halving the box three times, for about as many evaluations, takes half of the excess away.
+    casesPay_.note(finding.bound - target() < 0.5 * (before - target()));
+    return growth;
 }
 
 /// The bound of the function of the operand that stands for two or three coordinates, where these alone have
@@ -370,12 +419,20 @@ std::array<SlopeRange, 3> GradientStudy::usePieces(const GradientBox& box, Findi
     std::array<SlopeRange, 3> steepestGrowth{};
     for (unsigned sides = 0; sides < pieces; ++sides) {
         const IntervalGradient piece = intervals_.evaluatePiece(range, sides);
+        std::vector<IntervalGradient> margins(intervals_.margins().begin(), intervals_.margins().end());
+        if (std::ranges::any_of(margins, [](const auto& margin) { return margin.value.high < 0; })) continue;
         if (!piece.bounded() || piece.value.empty() || piece.value.maybeUndefined) return {};
         double bound = piece.steepness;
         std::array<SlopeRange, 3> growth{};
         if (piece.smooth && !piece.pieced && bound > target()) {
             const IntervalGradient at = intervals_.evaluatePiece(point, sides);
-            if (at.bounded()) bound = curvatureBound(domain_, box, p, piece, at, growth);
+            if (at.bounded()) {
+                std::vector<Margin> known;
+                for (std::size_t k = 0; k < margins.size(); ++k)
+                    if (margins[k].bounded() && intervals_.margins()[k].bounded())
+                        known.push_back({intervals_.margins()[k].value.high, margins[k].slope});
+                bound = curvatureBound(domain_, box, p, piece, at, growth, known);
+            }
         }
         if (bound < steepest) continue;
         steepest = bound;
@@ -448,8 +505,26 @@ void GradientStudy::halve(const Region& region) {
         offerPoint(region.box.center());
     GradientBox first = region.box, second = region.box;
     first.high[axis] = second.low[axis] = middle;
-    consider(first, region.bound, region.hazard);
-    consider(second, region.bound, region.hazard);
+    // Halves that are seldom done with are not worth being looked at before they are halved.
+    double& done = done_[distanceClass(region.bound)];
+    const int next = region.nextAxis;
+    if (region.bound < infinite && next >= 0 && region.hazard == GradientHazard::none && done < 0.5 &&
+        ++quarters_ % 16 != 0) {
+        for (const GradientBox& half : {first, second}) {
+            const double quarter = 0.5 * half.low[next] + 0.5 * half.high[next];
+            GradientBox a = half, b = half;
+            a.high[next] = b.low[next] = quarter;
+            consider(a, region.bound, region.hazard);
+            consider(b, region.bound, region.hazard);
+        }
+        return;
+    }
+    for (const GradientBox& half : {first, second}) {
+        const std::size_t before = queue_.size() + boundless_.size();
+        consider(half, region.bound, region.hazard);
+        const bool isDone = queue_.size() + boundless_.size() == before;
+        done += ((isDone ? 1 : 0) - done) / 64;
+    }
 }
 
 /// Leaves a box, with what is known of it, for later.

@@ -77,6 +77,7 @@ class GradientStudy {
         double bound;
         int axis;  ///< to halve along
         GradientHazard hazard;
+        int nextAxis = -1;  ///< to halve the halves along, where known
 
         /// The steepest first.
         bool operator<(const Region& other) const { return bound < other.bound; }
@@ -89,6 +90,12 @@ class GradientStudy {
         std::array<double, 3> influence{};  ///< how much each axis contributes to the uncertainty
         bool settled = false;               ///< nothing in the box can be the largest
         bool shrunk = false;                ///< the box has become a part of a wall of the container
+    };
+
+    /// By how much a piece is taken rather than another one, if that is not below 0.
+    struct Margin {
+        double at;  ///< at most this at the point from which the box is looked at
+        std::array<SlopeRange, 3> slope;
     };
 
     void work();
@@ -104,14 +111,17 @@ class GradientStudy {
     void offerGradient(const glm::dvec3& point, const IntervalGradient& at);
 
     void consider(GradientBox box, double known, GradientHazard hazard);
+    static Region regionOf(const GradientBox& box, double bound, const Finding& finding);
+    std::size_t distanceClass(double bound) const;
     Finding examine(GradientBox& box);
     void useCurvature(GradientBox& box, const IntervalGradient& whole, Finding& finding);
     void useCases(const GradientBox& box, const IntervalGradient& whole, Finding& finding);
     std::array<SlopeRange, 3> usePieces(const GradientBox& box, Finding& finding, std::size_t choices);
+    std::array<SlopeRange, 3> tryPieces(const GradientBox& box, Finding& finding, std::size_t choices);
     void useFold(const GradientBox& box, const IntervalGradientEvaluator::Fold& fold, Finding& finding);
     static double curvatureBound(const GradientDomain& domain, const GradientBox& box, const glm::dvec3& p,
                                  const IntervalGradient& piece, const IntervalGradient& at,
-                                 std::array<SlopeRange, 3>& growth);
+                                 std::array<SlopeRange, 3>& growth, std::span<const Margin> margins = {});
     glm::dvec3 middleOf(const GradientBox& box) const;
     void offerSteepest(const GradientBox& box, const std::array<SlopeRange, 3>& growth);
     void useMonotony(GradientBox& box, const std::array<SlopeRange, 3>& growth, Finding& finding) const;
@@ -164,6 +174,8 @@ class GradientStudy {
     std::uint64_t queuedJumps_ = 0;  ///< regions of the queue that may hold a jump
     int probes_ = 0;
     Trial casesPay_;
+    unsigned quarters_ = 0;
+    std::array<double, 16> done_{};  ///< share of halves that are done with, by how far the whole is from it
     std::vector<glm::dvec3> summits_;  ///< where the climbs ended
 };
 
