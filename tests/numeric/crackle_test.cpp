@@ -107,8 +107,9 @@ class CrackleTest : public QObject {
             std::array<double, 3> p{coordinate(random), coordinate(random), coordinate(random)};
             for (const double beyond : {0.9e-10, 1.2e-10}) {
                 for (double& at : p) at = std::floor(at) + beyond;
-                QVERIFY(crackleDistances(p[0], p[1], p[2], 3, 0).points ==
-                        slowDistances(p[0], p[1], p[2], 3).points);
+                // Few of the nearest are at the rim of what is looked at; in this metric more than in others.
+                QVERIFY(crackleDistances(p[0], p[1], p[2], 0.3, 0).points ==
+                        slowDistances(p[0], p[1], p[2], 0.3).points);
                 QVERIFY(crackleDistances(p[0], p[1], p[2], 2, 0).points ==
                         slowDistances(p[0], p[1], p[2]).points);
             }
