@@ -1,58 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the statements of textures and lights become: of each text, every member of the scene that is not what
 // it is by default.
-#include <cmath>
 #include <map>
 #include <QTest>
 
 #include "core/language/parse.h"
 #include "core/scene/surface_normal.h"
-#include "core/text/number_format.h"
+#include "tests/language/told_members.h"
 #include "tests/support/problems.h"
 
 using namespace isoscope;
-using test::problems;
+using namespace isoscope::test;
 
 namespace {
-
-std::string told(bool value) { return value ? "yes" : "no"; }
-std::string told(int value) { return std::to_string(value); }
-/// Without what is left of rounding.
-std::string told(double value) { return shortestNumber(std::round(value * 1e12) / 1e12 + 0.0); }
-std::string told(const Color& c) {
-    std::string text = told(c.red) + " " + told(c.green) + " " + told(c.blue);
-    if (c.filter != 0) text += " filter " + told(c.filter);
-    if (c.transmit != 0) text += " transmit " + told(c.transmit);
-    return text;
-}
-template <std::size_t Count>
-std::string told(const std::array<double, Count>& numbers) {
-    std::string text;
-    for (const double number : numbers) text += (text.empty() ? "" : " ") + told(number);
-    return text;
-}
-std::string told(const glm::dvec3& v) { return told(std::array{v.x, v.y, v.z}); }
-std::string told(const FractalColoring& coloring) {
-    return told(coloring.type) + " " + told(coloring.factor);
-}
-
-/// Lists members that differ: "name value, name value".
-class Differences {
-  public:
-    template <class Value>
-    void add(const char* name, const Value& value, const Value& usual) {
-        if (told(value) != told(usual)) put(std::string(name) + " " + told(value));
-    }
-    template <class Value>
-    void add(const char* name, const std::optional<Value>& value, const std::optional<Value>&) {
-        if (value) put(std::string(name) + " " + told(*value));
-    }
-    void put(const std::string& what) { text_ += (text_.empty() ? "" : ", ") + what; }
-    const std::string& text() const { return text_; }
-
-  private:
-    std::string text_;
-};
 
 std::string warpText(const PatternWarp& warp) {
     if (const auto* transform = std::get_if<TransformWarp>(&warp))
@@ -228,34 +188,8 @@ std::string description(const LightSource& light) {
     return all.text();
 }
 
-/// Errors and warnings of a text, one line each; none for what is only left out.
-std::string complaintsOf(const ParseResult& parsed) {
-    std::string all;
-    for (const Diagnostic& diagnostic : parsed.diagnostics)
-        if (diagnostic.severity == Severity::error || diagnostic.severity == Severity::warning)
-            all += diagnostic.message + "\n";
-    return all;
-}
-
 const Material& materialOf(const ParseResult& parsed) {
     return parsed.scene->materials.at(static_cast<std::size_t>(parsed.scene->objects.at(0).material));
-}
-
-void columns() {
-    QTest::addColumn<QString>("text");
-    QTest::addColumn<QString>("wanted");
-}
-
-void row(const char* text, const char* wanted) { QTest::newRow(text) << QString(text) << QString(wanted); }
-
-/// Compares what a function tells of the first scene of the row.
-template <class Tell>
-void check(const char* before, const char* behind, Tell tell) {
-    QFETCH(QString, text);
-    QFETCH(QString, wanted);
-    const ParseResult parsed = parseScene(before + text.toStdString() + behind);
-    QVERIFY2(complaintsOf(parsed).empty(), problems(parsed).c_str());
-    QCOMPARE(QString::fromStdString(tell(parsed)), wanted);
 }
 
 }  // namespace
