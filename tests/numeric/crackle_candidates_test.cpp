@@ -5,6 +5,7 @@
 #include <cmath>
 #include <QTest>
 #include <random>
+#include <thread>
 #include <vector>
 
 #include "core/numeric/crackle.h"
@@ -176,6 +177,25 @@ class CrackleCandidatesTest : public QObject {
         most(2, 3, 0.02, 5.28);
         most(1, 1, 0.1, 14.73);
         most(3, 2, 0.1, 12.39);
+    }
+
+    /// Lists are kept; what was asked for before, of any order, metric or size, changes no answer.
+    void whatIsKeptChangesNothing() {
+        Random random;
+        for (int round = 0; round < 60; ++round) {
+            const CrackleCube cube{random.place(1), longestCrackleReach * std::pow(2, random.between(-5, 0))};
+            const double metric = round % 3 == 0 ? 1.5 : 2;
+            const int order = 1 + round % 2 * 2;
+            using Counts = std::array<std::size_t, 2>;
+            const auto ask = [&] {
+                const CrackleCandidates* found = crackleCandidates(cube, metric, order);
+                return found ? Counts{found->count, found->always} : Counts{0, 0};
+            };
+            Counts fresh{};
+            std::thread([&] { fresh = ask(); }).join();
+            QCOMPARE(ask(), fresh);
+            QCOMPARE(ask(), fresh);
+        }
     }
 
     void limitsAreKept() {

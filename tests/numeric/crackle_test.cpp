@@ -175,6 +175,9 @@ class CrackleTest : public QObject {
         }
         QVERIFY(!crackleSeesEnough({{0, 0, 0}, {0, 0, 0}}, 0.5, 1));
         QVERIFY(!crackleSeesEnough({{0, 0, 0}, {1000, 1000, 0}}, 2, 1));
+        QVERIFY(crackleSeesEnough({{0, 0, 0}, {4095, 0, 0}}, 2, 1));
+        QVERIFY(crackleSeesEnough({{0, 0, 0}, {15, 15, 15}}, 2, 1));
+        QVERIFY(!crackleSeesEnough({{0, 0, 0}, {16, 15, 15}}, 2, 1));
     }
 
     void wildCoordinatesGiveNaN() {

@@ -169,6 +169,11 @@ class IntervalTest : public QObject {
         QVERIFY(tanh({-infinite, 40, false}) == (Interval{-1, 1, false}));
         QVERIFY(sin({-40, 40, false}) == (Interval{-1, 1, false}));
         QVERIFY(cos({-40, 40, false}) == (Interval{-1, 1, false}));
+        // Near a peak the rounding would go beyond it.
+        QCOMPARE(sin({1.5, pi / 2 - 1e-8, false}).high, 1.0);
+        QCOMPARE(sin({-pi / 2 + 1e-8, -1.5, false}).low, -1.0);
+        QCOMPARE(cos({1e-8, 0.1, false}).high, 1.0);
+        QCOMPARE(cos({3, pi - 1e-8, false}).low, -1.0);
         QVERIFY(sin({2e9, 2e9 + 0.001, true}) == (Interval{-1, 1, true}));
         QVERIFY(cos({2e9, 2e9 + 0.001, true}) == (Interval{-1, 1, true}));
         QVERIFY(sin({-2e9, -1e9, false}) == (Interval{-1, 1, false}));

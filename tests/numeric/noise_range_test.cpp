@@ -6,6 +6,7 @@
 
 #include "core/numeric/noise_bounds.h"
 #include "core/numeric/noise_gradient.h"
+#include "tests/support/instruction_sets.h"
 
 using namespace isoscope;
 
@@ -27,10 +28,18 @@ double lengthOf(const NoiseGradient& noise) {
 class NoiseRangeTest : public QObject {
     Q_OBJECT
 
+    static void addInstructionSets() {
+        QTest::addColumn<qint64>("target");
+        for (const auto& [target, name] : test::instructionSets()) QTest::newRow(name) << qint64{target};
+    }
+
   private slots:
     void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
 
+    void holdsTheNoiseAndItsGradient_data() { addInstructionSets(); }
     void holdsTheNoiseAndItsGradient() {
+        QFETCH(qint64, target);
+        const test::ForcedInstructionSet forced(target);
         std::mt19937_64 random(seed);
         int tight = 0;
         for (int round = 0; round < 6000; ++round) {
@@ -62,7 +71,10 @@ class NoiseRangeTest : public QObject {
 
     /// Within a lattice cell and across several: the gradients at two places of a box differ by no more than
     /// the second derivatives times the way between them.
+    void gradientsChangeByTheirSecondDerivatives_data() { addInstructionSets(); }
     void gradientsChangeByTheirSecondDerivatives() {
+        QFETCH(qint64, target);
+        const test::ForcedInstructionSet forced(target);
         std::mt19937_64 random(seed + 2);
         int tight = 0;
         for (int round = 0; round < 6000; ++round) {
@@ -130,7 +142,10 @@ class NoiseRangeTest : public QObject {
     }
 
     /// A range over a box is no wider than its length along the axes makes it.
+    void rangesAreAsNarrowAsTheirBoxes_data() { addInstructionSets(); }
     void rangesAreAsNarrowAsTheirBoxes() {
+        QFETCH(qint64, target);
+        const test::ForcedInstructionSet forced(target);
         std::mt19937_64 random(seed + 4);
         for (int round = 0; round < 400; ++round) {
             const NoiseKind kind = static_cast<NoiseKind>(round % 4);
