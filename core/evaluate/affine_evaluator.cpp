@@ -242,7 +242,7 @@ LaneChoices AffineEvaluator::decide(const Instruction& instruction, std::size_t 
     // the cheaper one to be left.
     std::uint64_t above = ~std::uint64_t(0), below = above;
     for (std::size_t k = 1; k < instruction.operandCount; ++k) {
-        const BeyondNumber beyond = lanesBeyond(operand(k), *compared, count);
+        const LanesBeyond beyond = lanesBeyond(operand(k), *compared, count);
         above &= beyond.above, below &= beyond.below;
     }
     const std::uint64_t alike = above | below;

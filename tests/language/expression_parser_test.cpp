@@ -102,6 +102,8 @@ class ExpressionParserTest : public QObject {
         row("select(0, 1, 2, 3)", "2");
         row("select(1e-11, 1, 2, 3)", "3");
         row("pow(2, 10)", "1024");
+        row("pow(0, 1)", "0");
+        row("pow(0, 0.5)", "0");
         row("sqrt(9)", "3");
         row("exp(0)", "1");
         row("ln(1)", "0");
@@ -211,6 +213,13 @@ class ExpressionParserTest : public QObject {
         row("strupr(\"aBc1\")", "\"ABC1\"");
         row("strlwr(\"AbC1\")", "\"abc1\"");
         row("chr(65)", "\"A\"");
+        row("chr(127)", "\"\x7f\"");
+        row("chr(128)", "\"\xc2\x80\"");
+        row("chr(233)", "\"é\"");
+        row("chr(2047)", "\"\xdf\xbf\"");
+        row("chr(2048)", "\"\xe0\xa0\x80\"");
+        row("chr(8364)", "\"€\"");
+        row("chr(65535)", "\"\xef\xbf\xbf\"");
         row("datetime(0)", "\"2000-01-01 00:00:00Z\"");
         row("datetime(0.5, \"%H\")", "\"12\"");
         row("B[1][2]", "\"s\"");
@@ -265,6 +274,10 @@ class ExpressionParserTest : public QObject {
         row("<1, 2, 3>.t", "1:11: error: `.t` asks for a component that a vector of 3 does not have.");
         row("<1, 2, 3>.q",
             "1:11: error: Expected a component such as `x`, `red` or `gray` behind `.`, but found `q`.");
+        row("<1, 2, 3>.wordsOfMoreThanFortyCharactersAreCutOffThere",
+            "1:11: error: Expected a component such as `x`, `red` or `gray` behind `.`, but found "
+            "`wordsOfMoreThanFortyCharactersAreCutOffT`.");
+        row("<Q, 2, R>", "1:2: error: `Q` is not declared.");
         row("sin(x)", "1:5: error: Argument 1 of `sin` must be a float, but this is a vector.");
         row("sin 1", "1:5: error: Expected `(` and the arguments of `sin`, but found `1`.");
         row("atan2(1)", "1:1: error: `atan2` takes 2 arguments; 1 is missing.");

@@ -28,6 +28,16 @@ class PigmentValuesTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// An object without a formula is asked itself, at the point and no other.
+    void objectsChooseByTheirInside() {
+        const QString inX =
+            "object { sphere_sweep { linear_spline 2, <5, 0, 0>, 1, <7, 0, 0>, 1 } color rgb 0 color rgb 1 }";
+        QVERIFY(near(valueOf(inX, 6, 0.5, -0.5), 1));
+        QVERIFY(near(valueOf(inX, 6, 6, -0.5), 0));
+        QVERIFY(near(valueOf(inX, 6, 0.5, 6), 0));
+        QVERIFY(near(valueOf(inX, 0, 0.5, -0.5), 0));
+    }
+
     void colors_data() {
         QTest::addColumn<QString>("pigment");
         QTest::addColumn<double>("x");

@@ -480,6 +480,34 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
         QVERIFY(!(nodes(before) == nodes(without)));
     }
 
+    /// What is not simulated may be declared; its block is passed over, and what follows is read.
+    void blocksThatAreNotSimulatedMayBeDeclared() {
+        for (const char* word : {"media", "density", "radiosity", "material_map"}) {
+            const ParseResult parsed = parseScene("#declare M = " + std::string(word) +
+                                                  " { scattering { 1, 1 } intervals 3 }\nsphere { 0, 1 }\n");
+            QVERIFY2(parsed.ok(), problems(parsed).c_str());
+            QCOMPARE(parsed.scene->objects.size(), std::size_t(1));
+            QVERIFY(parsed.symbols->find("M") != nullptr);
+        }
+    }
+
+    /// Behind a mistake in a map its block is passed over.
+    void aMistakeInAMapIsOne() {
+        for (const char* map : {"texture_map { [0 pigment { rgb 1 }] wibble [1 pigment { rgb 0 }] }",
+                                "pigment { gradient x pigment_map { [0 rgb 1] wibble [1 rgb 0] } }",
+                                "normal { gradient x normal_map { [0 bumps 1] wibble [1 dents 1] } }",
+                                "normal { gradient x slope_map { [0 <0, 1>] wibble [1 <1, 1>] } }",
+                                "pigment { gradient x color_map { [0 rgb 1] wibble [1 rgb 0] } }"}) {
+            const ParseResult parsed =
+                parseScene("sphere { 0, 1 texture { " + std::string(map[0] == 't' ? "gradient x " : "") +
+                           map + " } }\nbox { -1, 1 }");
+            const auto errors = std::ranges::count_if(
+                parsed.diagnostics, [](const Diagnostic& d) { return d.severity == Severity::error; });
+            QVERIFY2(errors == 1, problems(parsed).c_str());
+            QCOMPARE(parsed.scene->objects.size(), std::size_t(2));
+        }
+    }
+
     void doublingObjectsEndInAMessage() {
         std::string text = "#declare A0 = sphere { 0, 1 }\n";
         for (int k = 1; k < 60; ++k) {

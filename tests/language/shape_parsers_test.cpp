@@ -192,6 +192,43 @@ class ShapeParsersTest : public QObject {
         QVERIFY2(complaints(parsed).contains(complaint), qPrintable(complaints(parsed).join("\n")));
     }
 
+    void waterLevelsAreFromZeroToOne() {
+        const auto said = [](const std::string& level) {
+            return complaints(parseScene("height_field { function 3, 3 { 0.5 } water_level " + level + " }"));
+        };
+        QCOMPARE(said("0"), QStringList());
+        QCOMPARE(said("1"), QStringList());
+        QCOMPARE(said("1.01").size(), 1);
+        QCOMPARE(said("-0.01").size(), 1);
+    }
+
+    void outlinesAreClosedByALine() {
+        const ParseResult parsed = parseScene(
+            "#declare Closed = prism { -0.5, 0.5, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> }\n"
+            "#declare Open = prism { -0.5, 0.5, 4, <-1, -1>, <1, -1>, <1, 1>, <-1, 1> }");
+        const ShapePointer closed = declaredShape(parsed, "Closed"), open = declaredShape(parsed, "Open");
+        QVERIFY(closed && open);
+        TraceContext context;
+        for (double x = -1.25; x <= 1.25; x += 0.5)
+            for (double z = -1.25; z <= 1.25; z += 0.5) {
+                const bool wanted = std::abs(x) < 1 && std::abs(z) < 1;
+                QCOMPARE(closed->contains({x, 0.1, z}, context), wanted);
+                QCOMPARE(open->contains({x, 0.1, z}, context), wanted);
+            }
+    }
+
+    /// Corners and normals stand where the kind of triangle has them.
+    void meshesHaveBothKindsOfTriangles() {
+        const ParseResult parsed = parseScene(
+            "mesh { triangle { <-1, -1, 0>, <1, -1, 0>, <0, 1, 0> } "
+            "smooth_triangle { <-1, -1, 2>, z, <1, -1, 2>, z, <0, 1, 2>, x } }");
+        QCOMPARE(complaints(parsed), QStringList());
+        TraceContext context;
+        HitList hits;
+        parsed.scene->objects.at(0).shape->intersect({{0, 0, -5}, {0, 0, 1}}, {}, context, hits);
+        QCOMPARE(hits.size(), std::size_t(2));
+    }
+
     /// Too small a number was also said to be that of the points, of which there were too few then.
     void aWrongCountIsSaidOnce() {
         for (const char* text : {"sor { 3, <0, 0>, <1, 1>, <2, 2> }", "lathe { 1, <0, 0> }",

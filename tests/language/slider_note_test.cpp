@@ -39,6 +39,7 @@ class SliderNoteTest : public QObject {
         row("[ -1.5 : +2e3 : 1 ]", "[-1.5:2000:1]");
         row("[0.001:10 log]", "[0.001:10 log]");
         row("[0:1 locked decimals 2]", "[0:1 decimals 2 locked]");
+        row("[0:9 decimals 0]", "[0:9 decimals 0]");
         row("[1:10:0.5 log decimals 3 locked] and words", "[1:10:0.5 log decimals 3 locked]");
     }
     void isReadAndWrittenTheSame() {

@@ -28,6 +28,7 @@ class SliderPlayTest : public QObject {
         row("turns at the end", PlayMode::pingPong, 1, 1, 0.75, false);
         row("once", PlayMode::once, 0.5, 1, 0.75, false);
         row("once, behind the end", PlayMode::once, 0.5, 7, 1, true);
+        row("once, at the end", PlayMode::once, 0.5, 2, 1, true);
         row("once, from the end", PlayMode::once, 1, 1, 0.25, false);
     }
     void goesWithTheClock() {

@@ -178,6 +178,16 @@ class SymbolTableTest : public QObject {
         const std::vector<std::string> candidates{"Red", "Radius", "f_r", "f_torus", "f_sphere"};
         QCOMPARE(QString::fromStdString(closestName(name.toStdString(), candidates)), close);
     }
+
+    /// Letters that have changed places are one edit, wherever they stand; another case is half of one.
+    void theNearestNameIsChosen() {
+        const auto closest = [](const std::string& name, const std::vector<std::string>& candidates) {
+            return closestName(name, candidates);
+        };
+        QCOMPARE(closest("Lenght", {"lenghs", "Length"}), std::string("Length"));
+        QCOMPARE(closest("eLngth", {"elngts", "Length"}), std::string("Length"));
+        QCOMPARE(closest("Legnth", {"legnts", "Length"}), std::string("Length"));
+    }
 };
 
 QTEST_APPLESS_MAIN(SymbolTableTest)

@@ -12,10 +12,10 @@ using namespace isoscope;
 
 namespace {
 
-/// All 81 cells without any shortcut.
-std::array<double, 3> slowDistances(double x, double y, double z) {
+/// All 81 cells without any shortcut, the nearest first.
+CrackleDistances slowDistances(double x, double y, double z, double metric = 2, double offset = 0) {
     const double cell[3] = {std::floor(x - 1e-10), std::floor(y - 1e-10), std::floor(z - 1e-10)};
-    std::vector<double> all;
+    std::vector<std::pair<double, std::array<double, 3>>> all;
     for (int i = -2; i <= 2; ++i)
         for (int j = -2; j <= 2; ++j)
             for (int k = -2; k <= 2; ++k) {
@@ -23,10 +23,22 @@ std::array<double, 3> slowDistances(double x, double y, double z) {
                 const auto point = cracklePoint(std::int64_t(cell[0]) + i, std::int64_t(cell[1]) + j,
                                                 std::int64_t(cell[2]) + k);
                 const double dx = x - point[0], dy = y - point[1], dz = z - point[2];
-                all.push_back(std::sqrt(dx * dx + dy * dy + dz * dz));
+                all.emplace_back(
+                    metric == 2 ? std::sqrt(dx * dx + dy * dy + dz * dz)
+                                : std::pow(std::pow(std::abs(dx), metric) + std::pow(std::abs(dy), metric) +
+                                               std::pow(std::abs(dz), metric),
+                                           1 / metric),
+                    point);
             }
     std::sort(all.begin(), all.end());
-    return {all[0], all[1], all[2]};
+    CrackleDistances nearest;
+    for (std::size_t rank = 0; rank < 3; ++rank) {
+        const double d = all[rank].first;
+        nearest.d[rank] =
+            offset == 0 ? d : std::pow(std::pow(d, metric) + std::pow(offset, metric), 1 / metric);
+        nearest.points[rank] = all[rank].second;
+    }
+    return nearest;
 }
 
 }  // namespace
@@ -59,7 +71,69 @@ class CrackleTest : public QObject {
             double p[3] = {coordinate(random), coordinate(random), coordinate(random)};
             // Every fourth point lies on a lattice plane, where the cell is displaced.
             if (i % 4 == 0) p[i % 3] = std::round(p[i % 3]);
-            QVERIFY(crackleDistances(p[0], p[1], p[2], 2, 0).d == slowDistances(p[0], p[1], p[2]));
+            const CrackleDistances found = crackleDistances(p[0], p[1], p[2], 2, 0);
+            const CrackleDistances wanted = slowDistances(p[0], p[1], p[2]);
+            QVERIFY(found.d == wanted.d && found.points == wanted.points);
+        }
+    }
+
+    /// Far from the origin no candidates are kept, and in other metrics cells are looked at one by one.
+    void everySearchFindsTheSamePoints() {
+        constexpr unsigned seed = 4713;
+        qInfo("seed %u", seed);
+        std::mt19937 random(seed);
+        for (const double center : {0.0, 2e6, -3e9})
+            for (const double metric : {1.0, 1.5, 2.0, 3.0})
+                for (const double offset : {0.0, 0.2, 1.0, 2.0})
+                    for (int i = 0; i < 100; ++i) {
+                        std::uniform_real_distribution<double> coordinate(center - 30, center + 30);
+                        std::array<double, 3> p{coordinate(random), coordinate(random), coordinate(random)};
+                        if (i % 4 == 0) p[static_cast<std::size_t>(i / 4 % 3)] = std::round(p[0]);
+                        const CrackleDistances found = crackleDistances(p[0], p[1], p[2], metric, offset);
+                        const CrackleDistances wanted = slowDistances(p[0], p[1], p[2], metric, offset);
+                        QVERIFY(found.points == wanted.points);
+                        for (std::size_t rank = 0; rank < 3; ++rank)
+                            QVERIFY(std::abs(found.d[rank] - wanted.d[rank]) < 1e-13);
+                    }
+    }
+
+    /// A coordinate up to 1e-10 above a whole number belongs to the cell below, and none beyond that.
+    void cellsAreDisplaced() {
+        constexpr unsigned seed = 4714;
+        qInfo("seed %u", seed);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> coordinate(-300, 300);
+        for (int i = 0; i < 20000; ++i) {
+            std::array<double, 3> p{coordinate(random), coordinate(random), coordinate(random)};
+            for (const double beyond : {0.9e-10, 1.2e-10}) {
+                for (double& at : p) at = std::floor(at) + beyond;
+                // Few of the nearest are at the rim of what is looked at; in this metric more than in others.
+                QVERIFY(crackleDistances(p[0], p[1], p[2], 0.3, 0).points ==
+                        slowDistances(p[0], p[1], p[2], 0.3).points);
+                QVERIFY(crackleDistances(p[0], p[1], p[2], 2, 0).points ==
+                        slowDistances(p[0], p[1], p[2]).points);
+            }
+        }
+    }
+
+    void cellsHaveTheFirstNumberOfTheirPoints() {
+        for (const double x : {0.0, 0.5, -0.5, -3.0, 4099.25, -5000.5})
+            for (const double y : {0.75, -7.25, 4095.5})
+                for (const double z : {0.25, -0.25, 8191.0}) {
+                    const auto cell = [](double at) { return static_cast<std::int64_t>(std::floor(at)); };
+                    QVERIFY(std::abs(cellValue(x, y, z) -
+                                     (cracklePoint(cell(x), cell(y), cell(z))[0] - std::floor(x))) < 1e-12);
+                }
+        const auto numbers = [](std::int64_t i, std::int64_t j, std::int64_t k) {
+            const auto point = cracklePoint(i, j, k);
+            return std::array{point[0] - double(i), point[1] - double(j), point[2] - double(k)};
+        };
+        // The hash has as many entries along each axis.
+        for (const std::int64_t far : {4096, -4096, 8192}) {
+            const auto here = numbers(5, 9, 2);
+            for (const auto& there : {numbers(5 + far, 9, 2), numbers(5, 9 + far, 2), numbers(5, 9, 2 + far)})
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    QVERIFY(std::abs(here[axis] - there[axis]) < 1e-11);
         }
     }
 
@@ -101,11 +175,24 @@ class CrackleTest : public QObject {
         }
         QVERIFY(!crackleSeesEnough({{0, 0, 0}, {0, 0, 0}}, 0.5, 1));
         QVERIFY(!crackleSeesEnough({{0, 0, 0}, {1000, 1000, 0}}, 2, 1));
+        QVERIFY(crackleSeesEnough({{0, 0, 0}, {4095, 0, 0}}, 2, 1));
+        QVERIFY(crackleSeesEnough({{0, 0, 0}, {15, 15, 15}}, 2, 1));
+        QVERIFY(!crackleSeesEnough({{0, 0, 0}, {16, 15, 15}}, 2, 1));
     }
 
     void wildCoordinatesGiveNaN() {
-        for (const double wild : {std::nan(""), double(INFINITY), -double(INFINITY), 1e300})
-            for (const double d : crackleDistances(0, wild, 0, 2, 0).d) QVERIFY(std::isnan(d));
+        for (const double wild : {std::nan(""), double(INFINITY), -double(INFINITY), 1e300, 0x1p62, -0x1p62})
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                std::array<double, 3> p{0.1, 0.2, 0.3};
+                p[axis] = wild;
+                QVERIFY(std::isnan(cellValue(p[0], p[1], p[2])));
+                for (const double metric : {2.0, 3.0})
+                    for (const double d : crackleDistances(p[0], p[1], p[2], metric, 0).d)
+                        QVERIFY(std::isnan(d));
+                p[axis] = std::nextafter(0x1p62, 0);
+                QVERIFY(!std::isnan(cellValue(p[0], p[1], p[2])));
+                for (const double d : crackleDistances(p[0], p[1], p[2], 2, 0).d) QVERIFY(!std::isnan(d));
+            }
     }
 };
 

@@ -6,6 +6,7 @@
 
 #include "core/numeric/noise_bounds.h"
 #include "core/numeric/noise_gradient.h"
+#include "tests/support/instruction_sets.h"
 
 using namespace isoscope;
 
@@ -27,10 +28,18 @@ double lengthOf(const NoiseGradient& noise) {
 class NoiseRangeTest : public QObject {
     Q_OBJECT
 
+    static void addInstructionSets() {
+        QTest::addColumn<qint64>("target");
+        for (const auto& [target, name] : test::instructionSets()) QTest::newRow(name) << qint64{target};
+    }
+
   private slots:
     void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
 
+    void holdsTheNoiseAndItsGradient_data() { addInstructionSets(); }
     void holdsTheNoiseAndItsGradient() {
+        QFETCH(qint64, target);
+        const test::ForcedInstructionSet forced(target);
         std::mt19937_64 random(seed);
         int tight = 0;
         for (int round = 0; round < 6000; ++round) {
@@ -62,7 +71,10 @@ class NoiseRangeTest : public QObject {
 
     /// Within a lattice cell and across several: the gradients at two places of a box differ by no more than
     /// the second derivatives times the way between them.
+    void gradientsChangeByTheirSecondDerivatives_data() { addInstructionSets(); }
     void gradientsChangeByTheirSecondDerivatives() {
+        QFETCH(qint64, target);
+        const test::ForcedInstructionSet forced(target);
         std::mt19937_64 random(seed + 2);
         int tight = 0;
         for (int round = 0; round < 6000; ++round) {
@@ -94,12 +106,65 @@ class NoiseRangeTest : public QObject {
         QVERIFY2(tight > 1500, qPrintable(QString::number(tight)));
     }
 
+    /// At a point every range is the number itself, but for rounding, on both sides of lattice planes and of
+    /// 0; the second derivatives are those that differences of the gradient have.
     void aPointLeavesRoundingAlone() {
-        for (const NoiseKind kind : {NoiseKind::lattice0, NoiseKind::gradient}) {
-            const std::array<double, 3> p{3.3, -1.7, 12.4};
+        constexpr std::array<std::array<std::size_t, 2>, 6> axes{
+            {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
+        std::mt19937_64 random(seed + 3);
+        for (int round = 0; round < 400; ++round) {
+            const NoiseKind kind = static_cast<NoiseKind>(round % 4);
+            std::array<double, 3> p;
+            for (double& at : p)
+                at = std::floor(std::uniform_real_distribution<double>(-60, 60)(random)) +
+                     std::uniform_real_distribution<double>(0.05, 0.95)(random);
             const NoiseRange range = noiseRange(kind, p, p);
-            QVERIFY(range.value.high - range.value.low < 1e-7 &&
-                    range.steepness - lengthOf(noiseAt(kind, p)) < 1e-6);
+            const NoiseGradient noise = noiseAt(kind, p);
+            // Gradient noise is enclosed around its place, which it rounds.
+            const double rounding = kind == NoiseKind::gradient ? 1e-6 : 1e-9;
+            const auto isNear = [&](const SlopeRange& found, double wanted, double error) {
+                return std::abs(found.low - wanted) < error && std::abs(found.high - wanted) < error;
+            };
+            QVERIFY(isNear(range.value, noise.value, rounding));
+            QVERIFY(std::abs(range.steepness - lengthOf(noise)) < rounding);
+            for (std::size_t k = 0; k < 3; ++k) QVERIFY(isNear(range.slope[k], noise.gradient[k], rounding));
+            for (std::size_t b = 0; b < 6; ++b) {
+                constexpr double way = 1e-4;
+                std::array<double, 3> before = p, behind = p;
+                before[axes[b][1]] -= way;
+                behind[axes[b][1]] += way;
+                const double bend = (noiseAt(kind, behind).gradient[axes[b][0]] -
+                                     noiseAt(kind, before).gradient[axes[b][0]]) /
+                                    (2 * way);
+                QVERIFY2(isNear(range.bend[b], bend, 2e-3), qPrintable(QString("%1: %2").arg(b).arg(bend)));
+            }
+        }
+    }
+
+    /// A range over a box is no wider than its length along the axes makes it.
+    void rangesAreAsNarrowAsTheirBoxes_data() { addInstructionSets(); }
+    void rangesAreAsNarrowAsTheirBoxes() {
+        QFETCH(qint64, target);
+        const test::ForcedInstructionSet forced(target);
+        std::mt19937_64 random(seed + 4);
+        for (int round = 0; round < 400; ++round) {
+            const NoiseKind kind = static_cast<NoiseKind>(round % 4);
+            const NoiseBounds& bounds =
+                kind == NoiseKind::gradient ? gradientNoiseBounds : latticeNoiseBounds;
+            std::array<double, 3> low, high;
+            double length = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                // Every other one across a plane of the lattice.
+                low[k] = std::floor(std::uniform_real_distribution<double>(-60, 60)(random)) +
+                         (round % 8 < 4 ? 0.4 : 0.998);
+                high[k] = low[k] + 0.004;
+                length += high[k] - low[k];
+            }
+            const NoiseRange range = noiseRange(kind, low, high);
+            QVERIFY(range.value.high - range.value.low <= bounds.slope * length + 1e-6);
+            for (const SlopeRange& slope : range.slope)
+                QVERIFY(slope.high - slope.low <= bounds.bend * length + 1e-6);
+            QVERIFY(range.steepness - lengthOf(noiseAt(kind, low)) <= bounds.curvature * length + 1e-6);
         }
     }
 

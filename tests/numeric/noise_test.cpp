@@ -106,9 +106,11 @@ class NoiseTest : public QObject {
     }
 
     void generatorNumbersAreTruncatedModuloFour() {
-        const double number[] = {4, -1, 1.6, 2.7, -0.5, 7, -2147483648.0, 1e300, -1e300, std::nan("")};
-        const int wanted[] = {0, 3, 1, 2, 0, 3, 0, 0, 0, 0};
-        for (int i = 0; i < 10; ++i) QCOMPARE(noiseGeneratorNumber(number[i]), wanted[i]);
+        const double number[] = {
+            4,      -1,           1.6,           2.7,          -0.5,         7,  -2147483648.0, 1e300,
+            -1e300, std::nan(""), -2147483648.9, 2147483647.9, 2147483649.0, 3e9};
+        const int wanted[] = {0, 3, 1, 2, 0, 3, 0, 0, 0, 0, 0, 3, 0, 0};
+        for (int i = 0; i < 14; ++i) QCOMPARE(noiseGeneratorNumber(number[i]), wanted[i]);
     }
 
     void coordinatesWithoutMeaningActAsZero() {

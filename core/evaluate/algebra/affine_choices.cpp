@@ -86,7 +86,7 @@ void decideAll(const AffineOperand& first, const AffineOperand& second, bool tak
     }
 }
 
-void compareAll(const AffineOperand& form, double number, std::size_t count, BeyondNumber& beyond) {
+void compareAll(const AffineOperand& form, double number, std::size_t count, LanesBeyond& beyond) {
     const Form other{constant(number), hn::Zero(Doubles()), hn::Zero(Doubles())};
     for (std::size_t i = 0; i < count; i += hn::Lanes(Doubles())) {
         const Order order = certainOrder(loadForm(form, i), other);
@@ -122,8 +122,8 @@ LaneChoices decideAffineChoices(const AffineOperand& first, const AffineOperand&
     return choices;
 }
 
-BeyondNumber lanesBeyond(const AffineOperand& form, double number, std::size_t count) {
-    BeyondNumber beyond;
+LanesBeyond lanesBeyond(const AffineOperand& form, double number, std::size_t count) {
+    LanesBeyond beyond;
     HWY_DYNAMIC_DISPATCH(compareAll)(form, number, count, beyond);
     beyond.above &= firstLanes(count), beyond.below &= firstLanes(count);
     return beyond;

@@ -22,11 +22,12 @@ struct AffineOperand {
 LaneChoices decideAffineChoices(const AffineOperand& first, const AffineOperand& second, bool takesLower,
                                 const double* compared, std::size_t count);
 
-/// Lanes, a bit for each.
-struct BeyondNumber {
+/// The lanes (a bit for each) in which a form is certain to be above a number all along, and those in which
+/// it is certain to be below.
+struct LanesBeyond {
     std::uint64_t above = 0, below = 0;
 };
-/// In which of the first `count` lanes a form is certain to be above a number all along, and in which below it.
-BeyondNumber lanesBeyond(const AffineOperand& form, double number, std::size_t count);
+/// Those of the first `count` lanes.
+LanesBeyond lanesBeyond(const AffineOperand& form, double number, std::size_t count);
 
 }  // namespace isoscope

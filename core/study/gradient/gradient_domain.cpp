@@ -14,6 +14,12 @@ std::array<Interval, 3> GradientBox::intervals() const {
     return {Interval{low.x, high.x, false}, Interval{low.y, high.y, false}, Interval{low.z, high.z, false}};
 }
 
+std::array<SlopeRange, 3> GradientBox::waysFrom(const glm::dvec3& p) const {
+    return {SlopeRange{lowered(low.x - p.x), raised(high.x - p.x)},
+            SlopeRange{lowered(low.y - p.y), raised(high.y - p.y)},
+            SlopeRange{lowered(low.z - p.z), raised(high.z - p.z)}};
+}
+
 GradientDomain::GradientDomain(const Container& container) {
     if (const auto* box = std::get_if<ContainerBox>(&container)) {
         box_ = {glm::min(box->low, box->high), glm::max(box->low, box->high)};
@@ -72,27 +78,24 @@ glm::dvec3 GradientDomain::nearest(const glm::dvec3& point) const {
 
 double GradientDomain::advance(const std::array<SlopeRange, 3>& direction, const GradientBox& box,
                                const glm::dvec3& from) const {
+    const std::array<SlopeRange, 3> ways = box.waysFrom(from);
     double throughBox = 0;
-    for (int k = 0; k < 3; ++k) {
-        const SlopeRange way{lowered(box.low[k] - from[k]), raised(box.high[k] - from[k])};
-        throughBox = raised(throughBox + (direction[k] * way).high);
-    }
+    for (std::size_t k = 0; k < 3; ++k) throughBox = raised(throughBox + (direction[k] * ways[k]).high);
     if (!isBall_) return throughBox;
     // The middle of the directions meets the ball; what is left of them meets the box.
     std::array<SlopeRange, 3> middle;
     double rest = 0;
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
         const double m = 0.5 * direction[k].low + 0.5 * direction[k].high;
         middle[k] = {m, m};
         const double off = raised(std::max(raised(direction[k].high - m), raised(m - direction[k].low)));
-        const double reach = raised(std::max(box.high[k] - from[k], from[k] - box.low[k]));
-        rest = raised(rest + raised(off * reach));
+        rest = raised(rest + raised(off * ways[k].size()));
     }
+    const std::array<SlopeRange, 3> toMiddle = GradientBox{center_, center_}.waysFrom(from);
     double length = 0, toCenter = 0;
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
         length = raised(length + square(middle[k]).high);
-        const SlopeRange way{lowered(center_[k] - from[k]), raised(center_[k] - from[k])};
-        toCenter = raised(toCenter + (middle[k] * way).high);
+        toCenter = raised(toCenter + (middle[k] * toMiddle[k]).high);
     }
     const double throughBall = raised(raised(raised(rootAbove(length) * raised(radius_)) + toCenter) + rest);
     return std::min(throughBox, throughBall);

@@ -20,6 +20,8 @@ struct GradientBox {
     /// Along the longest axis.
     double width() const;
     std::array<Interval, 3> intervals() const;
+    /// Along each axis, from a point to the box: holds both ends.
+    std::array<SlopeRange, 3> waysFrom(const glm::dvec3& point) const;
 };
 
 /// The container of an isosurface as a gradient study sees it: a box, and a ball in it when the container is

@@ -182,9 +182,8 @@ bool GradientStudy::jumpsBetween(const glm::dvec3& a, const glm::dvec3& b,
     if (!domain_.contains(a) || !domain_.contains(b)) return false;
     const auto value = [&](const glm::dvec3& p) { return values_.evaluate(p.x, p.y, p.z); };
     const auto climb = [&](const glm::dvec3& p, const glm::dvec3& q) {
-        double most = 0;
-        for (int k = 0; k < 3; ++k) most += slope[k].size() * std::abs(p[k] - q[k]);
-        return most * (1 + 1e-9);
+        const glm::dvec3 way = glm::abs(p - q);
+        return (slope[0].size() * way.x + slope[1].size() * way.y + slope[2].size() * way.z) * (1 + 1e-9);
     };
     glm::dvec3 first = a, last = b;
     double f = value(first), l = value(last);
@@ -218,9 +217,10 @@ bool GradientStudy::isJump(const glm::dvec3& place, const glm::dvec3& direction)
     const GradientBox between{glm::min(p, q), glm::max(p, q)};
     const IntervalGradient whole = intervals_.evaluate(between.intervals());
     if (whole.hazard > GradientHazard::jump) return false;
+    const std::array<SlopeRange, 3> ways = GradientBox{p, p}.waysFrom(q);
     double climb = 0;
-    for (int k = 0; k < 3; ++k)
-        climb = raised(climb + raised(whole.slope[k].size() * raised(std::abs(p[k] - q[k]))));
+    for (std::size_t k = 0; k < 3; ++k)
+        climb = raised(climb + raised(whole.slope[k].size() * ways[k].size()));
     const Interval first = valueAt(p), last = valueAt(q);
     return std::max(first.low - last.high, last.low - first.high) > climb * (1 + 1e-9);
 }

@@ -32,15 +32,15 @@ double lengthOf(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], 
 /// An upper bound of the largest magnitude of an eigenvalue.
 double normAbove(const std::array<SlopeRange, 6>& matrix) {
     double widest = 0;
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
         double row = 0;
-        for (int j = 0; j < 3; ++j) row = raised(row + matrix[bendIndex(i, j)].size());
+        for (std::size_t j = 0; j < 3; ++j) row = raised(row + matrix[bendIndex(i, j)].size());
         widest = std::max(widest, row);
     }
     return widest;
 }
 
-int axisToHalve(const GradientBox& box, const std::array<double, 3>& influence) {
+int axisToHalve(const GradientBox& box, const glm::dvec3& influence) {
     const glm::dvec3 extent = box.high - box.low;
     const double widest = box.width();
     int best = -1;
@@ -207,7 +207,7 @@ void GradientStudy::consider(GradientBox box, double known, GradientHazard hazar
         const Finding finding = examine(box);
         if (LoopStop::requested()) {
             // Whatever was found.
-            putBack({box, known, axisToHalve(box, {}), hazard});
+            putBack({box, known, axisToHalve(box, glm::dvec3(0)), hazard});
             return;
         }
         if (finding.settled) return;
@@ -282,17 +282,16 @@ double GradientStudy::curvatureBound(const GradientDomain& domain, const Gradien
                                      const IntervalGradient& at, std::array<SlopeRange, 3>& growth,
                                      std::span<const Margin> margins) {
     std::array<SlopeRange, 3> slope = piece.slope;
-    for (int i = 0; i < 3; ++i) {
+    const std::array<SlopeRange, 3> ways = box.waysFrom(p);
+    for (std::size_t i = 0; i < 3; ++i) {
         SlopeRange from = at.slope[i];
-        for (int j = 0; j < 3; ++j)
-            from = from + piece.bend[bendIndex(i, j)] *
-                              SlopeRange{lowered(box.low[j] - p[j]), raised(box.high[j] - p[j])};
+        for (std::size_t j = 0; j < 3; ++j) from = from + piece.bend[bendIndex(i, j)] * ways[j];
         const SlopeRange both = meet(slope[i], from);
         if (both.low <= both.high) slope[i] = both;
     }
     growth = {};
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) growth[i] = growth[i] + piece.bend[bendIndex(i, j)] * slope[j];
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) growth[i] = growth[i] + piece.bend[bendIndex(i, j)] * slope[j];
     const double length = std::min(at.steepness, gradient_rules::lengthAbove(at.slope));
     std::array<SlopeRange, 3> change;
     for (std::size_t i = 0; i < 3; ++i) change[i] = 2 * growth[i];
@@ -323,8 +322,10 @@ double GradientStudy::curvatureBound(const GradientDomain& domain, const Gradien
 
 /// Looks at the corner where the length has grown most.
 void GradientStudy::offerSteepest(const GradientBox& box, const std::array<SlopeRange, 3>& growth) {
+    const glm::dvec3 rise(growth[0].low + growth[0].high, growth[1].low + growth[1].high,
+                          growth[2].low + growth[2].high);
     glm::dvec3 corner;
-    for (int k = 0; k < 3; ++k) corner[k] = growth[k].low + growth[k].high > 0 ? box.high[k] : box.low[k];
+    for (int k = 0; k < 3; ++k) corner[k] = rise[k] > 0 ? box.high[k] : box.low[k];
     corner = domain_.nearest(corner);
     if (steepnessAt(corner) > bracket_.lower * (1 + 1e-9)) offerPoint(corner);
 }
@@ -341,7 +342,7 @@ void GradientStudy::useCurvature(GradientBox& box, const IntervalGradient& whole
 
     std::array<SlopeRange, 3> growth{};
     finding.bound = std::min(finding.bound, curvatureBound(domain_, box, p, whole, at, growth));
-    for (int k = 0; k < 3; ++k) finding.influence[k] *= growth[k].size();
+    finding.influence *= glm::dvec3(growth[0].size(), growth[1].size(), growth[2].size());
     if (whole.pieced) tryPieces(box, finding, choices);
     // Other points end what is known of the choices of the box.
     if (whole.pieced && steepnessAt(p) > bracket_.lower * (1 + 1e-9)) offerPoint(p);
@@ -447,7 +448,8 @@ void GradientStudy::useMonotony(GradientBox& box, const std::array<SlopeRange, 3
     if (!domain_.encloses(box)) return;
     for (int k = 0; k < 3; ++k) {
         if (box.low[k] == box.high[k]) continue;
-        const bool rises = growth[k].low > 0, falls = growth[k].high < 0;
+        const SlopeRange& along = growth[static_cast<std::size_t>(k)];
+        const bool rises = along.low > 0, falls = along.high < 0;
         if (!rises && !falls) continue;
         // The face where it is longest belongs to a neighbour, which may be left out, or to the container's
         // wall.

@@ -87,9 +87,9 @@ class GradientStudy {
         double bound = 0;
         GradientHazard hazard = GradientHazard::none;
         std::array<SlopeRange, 3> slope{};
-        std::array<double, 3> influence{};  ///< how much each axis contributes to the uncertainty
-        bool settled = false;               ///< nothing in the box can be the largest
-        bool shrunk = false;                ///< the box has become a part of a wall of the container
+        glm::dvec3 influence{0};  ///< how much each axis contributes to the uncertainty
+        bool settled = false;     ///< nothing in the box can be the largest
+        bool shrunk = false;      ///< the box has become a part of a wall of the container
     };
 
     /// By how much a piece is taken rather than another one, if that is not below 0.

@@ -77,7 +77,7 @@ bool CriticalStudy::step(std::uint64_t boxes, std::stop_token stop) {
         consider(region);
         if (!stop.stop_requested()) continue;
         // What loops said that were stopped does not count.
-        for (const std::size_t k : {0, 1}) queues_[k].resize(queued[k]);
+        for (std::size_t k = 0; k < queued.size(); ++k) queues_[k].resize(queued[k]);
         known_.resize(known);
         left_.resize(left);
         jumps_ = jumps;

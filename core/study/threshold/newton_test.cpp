@@ -15,11 +15,16 @@ std::array<Interval, 3> atPoint(const glm::dvec3& p) {
     return {Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
 }
 
+/// Rows and columns as glm numbers them.
+const SlopeRange& entryOf(const std::array<SlopeRange, 6>& bend, int row, int column) {
+    return bend[bendIndex(static_cast<std::size_t>(row), static_cast<std::size_t>(column))];
+}
+
 glm::dmat3 middleOf(const std::array<SlopeRange, 6>& bend) {
     glm::dmat3 middle;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-            const SlopeRange& b = bend[static_cast<std::size_t>(bendIndex(i, j))];
+            const SlopeRange& b = entryOf(bend, i, j);
             middle[i][j] = 0.5 * b.low + 0.5 * b.high;
         }
     return middle;
@@ -81,9 +86,7 @@ NewtonVerdict NewtonTest::test(const GradientBox& box, const IntervalGradient& w
     for (int k = 0; k < 3; ++k) way[static_cast<std::size_t>(k)] = around(box, center, k);
     for (int i = 0; i < 3; ++i) {
         SlopeRange slope = at.slope[static_cast<std::size_t>(i)];
-        for (int j = 0; j < 3; ++j)
-            slope =
-                slope + bend[static_cast<std::size_t>(bendIndex(i, j))] * way[static_cast<std::size_t>(j)];
+        for (int j = 0; j < 3; ++j) slope = slope + entryOf(bend, i, j) * way[static_cast<std::size_t>(j)];
         if (slope.low > 0 || slope.high < 0) return {none, box};
     }
     const std::optional<glm::dmat3> inverse = inverseOf(middleOf(bend));
@@ -100,8 +103,7 @@ NewtonVerdict NewtonTest::test(const GradientBox& box, const IntervalGradient& w
             const double c = (*inverse)[j][i];
             move = move - c * at.slope[static_cast<std::size_t>(j)];
             SlopeRange entry{i == j ? 1.0 : 0.0, i == j ? 1.0 : 0.0};
-            for (int k = 0; k < 3; ++k)
-                entry = entry - (*inverse)[k][i] * bend[static_cast<std::size_t>(bendIndex(k, j))];
+            for (int k = 0; k < 3; ++k) entry = entry - (*inverse)[k][i] * entryOf(bend, k, j);
             spread = spread + entry * way[static_cast<std::size_t>(j)];
             row = raised(row + entry.size());
         }
@@ -189,7 +191,7 @@ CriticalKind NewtonTest::kindIn(const GradientBox& box) {
                 for (int l = 0; l < 3; ++l) {
                     const SlopeRange product =
                         SlopeRange{base[i][k], base[i][k]} * SlopeRange{base[j][l], base[j][l]};
-                    sum = sum + product * whole.bend[static_cast<std::size_t>(bendIndex(k, l))];
+                    sum = sum + product * entryOf(whole.bend, k, l);
                 }
             turned[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = sum;
         }

@@ -24,7 +24,7 @@ class LayerTracer {
           layers_(layers) {}
 
     std::size_t tiles() const {
-        return static_cast<std::size_t>(across()) * ((rows_ + rendererTile - 1) / rendererTile);
+        return static_cast<std::size_t>(across() * ((rows_ + rendererTile - 1) / rendererTile));
     }
 
     void trace(std::size_t tile, std::stop_token stop) {
