@@ -233,8 +233,8 @@ GradientStudy::Region GradientStudy::regionOf(const GradientBox& box, double bou
     Region region{box, bound, axisToHalve(box, finding.influence), finding.hazard};
     GradientBox half = box;
     half.high[region.axis] = 0.5 * box.low[region.axis] + 0.5 * box.high[region.axis];
-    std::array<double, 3> influence = finding.influence;
-    influence[static_cast<std::size_t>(region.axis)] *= 0.5;
+    glm::dvec3 influence = finding.influence;
+    influence[region.axis] *= 0.5;
     region.nextAxis = axisToHalve(half, influence);
     return region;
 }
