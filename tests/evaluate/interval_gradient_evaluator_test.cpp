@@ -207,6 +207,18 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY(section.bend[bendIndex(0, 0)].size() < 0.05);
     }
 
+    /// Wherever the two parts of a section are perpendicular, its slope is that of the steeper one.
+    void sectionsOfPerpendicularPartsAreNoSteeperThanThese() {
+        const Box box{Interval{0.45, 0.55, false}, Interval{0.45, 0.55, false}, unit};
+        const auto turned = [](auto x, auto y, auto) {
+            const auto a = 0.6 * x - 0.8 * y, b = 0.8 * x + 0.6 * y;
+            return pow(pow(abs(a), x.number(10)) + pow(abs(b), x.number(10)), x.number(0.1));
+        };
+        QVERIFY(over(turned, box).bounded() && over(turned, box).steepness < 1 + 1e-9);
+        const Box middle{unit, unit, unit};
+        QVERIFY(over(turned, middle).bounded() && over(turned, middle).steepness < 1 + 1e-9);
+    }
+
     /// From a point, with the choices of the box left open, bends lead to the slopes everywhere in the box.
     void piecesBendAsTheySay() {
         using enum Operation;

@@ -38,6 +38,28 @@ std::array<SlopeRange, 6> spreadWithin(double steepness) {
     return {diagonal, beside, beside, diagonal, beside, diagonal};
 }
 
+namespace {
+
+/// At most so large is the product of both gradients; infinite where that is not known.
+double dotOf(const PowerRoot& a, const PowerRoot& b) {
+    if (!a.known || !b.known) return std::numeric_limits<double>::infinity();
+    SlopeRange dot;
+    for (std::size_t i = 0; i < 3; ++i) dot = dot + a.slope[i] * b.slope[i];
+    return dot.size();
+}
+
+/// The longest v u + w t for v^2 + w^2 = 1, of vectors u and t that are no longer than these and have a
+/// product no larger than `dot`: the root of the larger eigenvalue of their products.
+double spanAbove(double u, double t, double dot) {
+    const double uu = raised(u * u), tt = raised(t * t), trace = raised(uu + tt);
+    if (!(dot < raised(u * t))) return rootAbove(trace);
+    const double half = raised(0.5 * std::abs(uu - tt));
+    const double spread = rootAbove(raised(raised(half * half) + raised(dot * dot)));
+    return rootAbove(std::min(trace, raised(raised(0.5 * trace) + spread)));
+}
+
+}  // namespace
+
 void addRoots(const IntervalGradient& s, const IntervalGradient& t, IntervalGradient& result) {
     // The root is a norm of the two roots; its derivatives w in them have the length 1 in the dual norm, with
     // the exponent e' = e / (e - 1). Their Euclidean length is at most 1 for e >= 2, else 2^(1/2 - 1/e').
@@ -45,9 +67,8 @@ void addRoots(const IntervalGradient& s, const IntervalGradient& t, IntervalGrad
     const double length = e >= 2 ? 1 : std::exp2(1 / e - 0.5) * (1 + 1e-14);
     const double a = s.rootSteepness, b = t.rootSteepness;
     // Gradients along different axes are perpendicular: the root climbs no faster than its steeper part.
-    result.rootSteepness = (s.axes & t.axes) == 0
-                               ? raised(length * std::max(a, b))
-                               : raised(length * rootAbove(raised(raised(a * a) + raised(b * b))));
+    result.rootSteepness = (s.axes & t.axes) == 0 ? raised(length * std::max(a, b))
+                                                  : raised(length * spanAbove(a, b, dotOf(s.root, t.root)));
     if (e != 2) return;
     const auto spread = t.rootExponent == 2 ? t.rootSpread : spreadWithin(t.rootSteepness);
     for (std::size_t k = 0; k < 6; ++k) result.rootSpread[k] = s.rootSpread[k] + spread[k];
