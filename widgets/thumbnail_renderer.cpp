@@ -52,9 +52,10 @@ QImage render(const std::string& text, int size, std::stop_token stop) {
     if (stop.stop_requested() || picture.width != size || picture.height != size) return {};
     QImage image(size, size, QImage::Format_RGB32);
     const std::span pixels(picture.pixels);
+    const auto edge = static_cast<std::size_t>(size);
     for (int y = 0; y < size; ++y)
-        encodePixels(pixels.subspan(static_cast<std::size_t>(y) * size, size),
-                     {reinterpret_cast<QRgb*>(image.scanLine(y)), static_cast<std::size_t>(size)});
+        encodePixels(pixels.subspan(static_cast<std::size_t>(y) * edge, edge),
+                     {reinterpret_cast<QRgb*>(image.scanLine(y)), edge});
     return image;
 }
 

@@ -120,7 +120,8 @@ std::vector<double> evaluateRows(const FunctionRows& group, const CsvTable& tabl
         arguments[2][i] = table.number(group.rows[i], "z", 0);
     }
     const Function& function = group.parsed.value.function;
-    arguments.resize(std::max<std::size_t>(3, function.argumentCount), std::vector<double>(count, 0.0));
+    arguments.resize(static_cast<std::size_t>(std::max(3, function.argumentCount)),
+                     std::vector<double>(count, 0.0));
     std::vector<double> values(count);
     ReferenceEvaluator exact(function);
     PointEvaluator batch(Tape::compile(function), group.parsed.parameterTable);
@@ -163,7 +164,7 @@ constexpr Bounds anyValue{-Interval::infinite, Interval::infinite};
 
 Bounds intervalBounds(IntervalEvaluator& evaluator, const RowBox& box) {
     std::array<Interval, 3> arguments;
-    for (int k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3; ++k)
         arguments[k] = box.reach[k] == 0
                            ? Interval::point(box.center[k])
                            : Interval::point(box.center[k]) + Interval{-box.reach[k], box.reach[k], false};
@@ -175,7 +176,7 @@ Bounds intervalBounds(IntervalEvaluator& evaluator, const RowBox& box) {
 Bounds affineBounds(AffineEvaluator& evaluator, const RowBox& box) {
     RayPieces pieces;
     RaySpread spread;
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
         pieces.origin[k].fill(box.center[k]);
         spread.origin[k].fill(box.reach[k]);
     }

@@ -74,7 +74,7 @@ class Canvas {
 struct Axis {
     int low = 0, high = 1;
 
-    static Axis around(const std::vector<ChartLine>& lines, int index) {
+    static Axis around(const std::vector<ChartLine>& lines, std::size_t index) {
         double least = INFINITY, most = -INFINITY;
         for (const ChartLine& line : lines)
             for (const auto& point : line.points) {

@@ -118,11 +118,11 @@ void ChartPainter::paintAxes(QPainter& painter) const {
 }
 
 void ChartPainter::paintSeries(QPainter& painter, const ChartSeries& series) const {
-    using Shape = ChartSeries::Shape;
-    if (series.shape == Shape::bars) return paintBars(painter, series);
-    const bool marks = series.shape == Shape::points || series.shape == Shape::linePoints;
+    using Form = ChartSeries::Shape;
+    if (series.shape == Form::bars) return paintBars(painter, series);
+    const bool marks = series.shape == Form::points || series.shape == Form::linePoints;
     painter.setPen(QPen(series.color, series.width, series.dashed ? Qt::DashLine : Qt::SolidLine,
-                        series.shape == Shape::segments ? Qt::FlatCap : Qt::RoundCap, Qt::RoundJoin));
+                        series.shape == Form::segments ? Qt::FlatCap : Qt::RoundCap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
     QPolygonF run;
     const auto flush = [&] {
@@ -135,17 +135,17 @@ void ChartPainter::paintSeries(QPainter& painter, const ChartSeries& series) con
         if (std::isfinite(at.x()) && std::isfinite(at.y())) {
             shown.push_back(at);
             run << at;
-        } else if (series.shape == Shape::line) {
+        } else if (series.shape == Form::line) {
             flush();  // a gap
         }
-        if (series.shape == Shape::segments && run.size() == 2) flush();
-        if (series.shape == Shape::points) run.clear();
+        if (series.shape == Form::segments && run.size() == 2) flush();
+        if (series.shape == Form::points) run.clear();
     }
-    if (series.shape != Shape::segments) flush();
+    if (series.shape != Form::segments) flush();
     if (!marks) return;
     painter.setPen(Qt::NoPen);
     painter.setBrush(series.color);
-    const double radius = (series.shape == Shape::points ? series.width : 3 * series.width) / 2;
+    const double radius = (series.shape == Form::points ? series.width : 3 * series.width) / 2;
     for (const QPointF& at : shown) painter.drawEllipse(at, radius, radius);
 }
 
@@ -199,7 +199,7 @@ void ChartPainter::paintNotes(QPainter& painter) const {
 /// The corner of the area, below the texts of the marks, in which a box of this size hides the fewest points.
 QPointF ChartPainter::legendCorner(const QSizeF& size, double line) const {
     constexpr double gap = 4;
-    const double top = area_.top() + gap + chart_.marks.size() * line;
+    const double top = area_.top() + gap + static_cast<double>(chart_.marks.size()) * line;
     const double right = area_.right() - size.width() - gap, bottom = area_.bottom() - size.height() - gap;
     QPointF best(right, top);
     qsizetype fewest = std::numeric_limits<qsizetype>::max();
@@ -245,7 +245,8 @@ void ChartPainter::paintLegend(QPainter& painter) const {
     }
     QColor ground = palette_.color(QPalette::Base);
     ground.setAlpha(215);
-    const QSizeF size(widest + swatchWidth + 3 * legendGap, named.size() * line + legendGap);
+    const QSizeF size(widest + swatchWidth + 3 * legendGap,
+                      static_cast<double>(named.size()) * line + legendGap);
     const QRectF box(legendCorner(size, metrics.height()), size);
     painter.fillRect(box, ground);
     QPointF at(box.left() + legendGap, box.top() + legendGap / 2);
@@ -258,13 +259,13 @@ void ChartPainter::paintLegend(QPainter& painter) const {
 void ChartPainter::paintLegendEntry(QPainter& painter, const QPointF& at, const ChartSeries& series) const {
     const QFontMetricsF metrics(painter.font());
     const QPointF middle(at.x() + swatchWidth / 2, at.y() + (metrics.height() + 1) / 2);
-    using Shape = ChartSeries::Shape;
-    const double width = series.shape == Shape::segments ? std::max(1.0, series.width) : 2;
+    using Form = ChartSeries::Shape;
+    const double width = series.shape == Form::segments ? std::max(1.0, series.width) : 2;
     painter.setPen(QPen(series.color, width, series.dashed ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
     painter.setBrush(series.color);
-    if (series.shape != Shape::points)
+    if (series.shape != Form::points)
         painter.drawLine(middle - QPointF(swatchWidth / 2, 0), middle + QPointF(swatchWidth / 2, 0));
-    if (series.shape == Shape::points || series.shape == Shape::linePoints) {
+    if (series.shape == Form::points || series.shape == Form::linePoints) {
         painter.setPen(Qt::NoPen);
         painter.drawEllipse(middle, 3, 3);
     }

@@ -132,27 +132,27 @@ void ChartView::addSeries(const ChartSeries& series) {
         x->InsertNextValue(drawable ? px : std::nan(""));
         y->InsertNextValue(drawable ? py : std::nan(""));
     }
-    using Shape = ChartSeries::Shape;
-    const bool marked = series.shape == Shape::linePoints || series.shape == Shape::points;
+    using Form = ChartSeries::Shape;
+    const bool marked = series.shape == Form::linePoints || series.shape == Form::points;
     const vtkIdType count = x->GetNumberOfTuples();
     // VTK complains about lines of one point.
-    if (count < (marked || series.shape == Shape::bars ? 1 : 2)) return;
+    if (count < (marked || series.shape == Form::bars ? 1 : 2)) return;
     vtkNew<vtkTable> table;
     table->AddColumn(x);
     table->AddColumn(y);
-    const int kind = series.shape == Shape::bars                   ? vtkChart::BAR
-                     : series.shape == Shape::points || count == 1 ? vtkChart::POINTS
-                                                                   : vtkChart::LINE;
+    const int kind = series.shape == Form::bars                   ? vtkChart::BAR
+                     : series.shape == Form::points || count == 1 ? vtkChart::POINTS
+                                                                  : vtkChart::LINE;
     vtkPlot* plot = pipeline_->chart->AddPlot(kind);
     plot->SetInputData(table, 0, 1);
     setColor(plot->GetPen(), series.color);
     const double ratio = devicePixelRatioF();  // VTK's line widths are in device pixels
     plot->SetWidth(static_cast<float>(series.width * ratio));
     if (series.dashed) plot->GetPen()->SetLineType(vtkPen::DASH_LINE);
-    if (auto* line = vtkPlotLine::SafeDownCast(plot)) line->SetPolyLine(series.shape != Shape::segments);
+    if (auto* line = vtkPlotLine::SafeDownCast(plot)) line->SetPolyLine(series.shape != Form::segments);
     if (auto* points = vtkPlotPoints::SafeDownCast(plot)) {
         points->SetMarkerStyle(marked ? vtkPlotPoints::CIRCLE : vtkPlotPoints::NONE);
-        const double size = series.shape == Shape::points ? series.width : 3 * series.width;
+        const double size = series.shape == Form::points ? series.width : 3 * series.width;
         points->SetMarkerSize(static_cast<float>(size * ratio));
     }
     if (auto* bars = vtkPlotBar::SafeDownCast(plot)) {

@@ -107,15 +107,17 @@ void DiagnosticMarks::underline(long begin, long end, Severity severity, int num
     editor_->SendScintilla(Sci::SCI_SETINDICATORCURRENT, indicator(severity));
     // The value leads back to the mark, wherever the text has moved to.
     editor_->SendScintilla(Sci::SCI_SETINDICATORVALUE, number);
-    editor_->SendScintilla(Sci::SCI_INDICATORFILLRANGE, begin, end - begin);
+    editor_->SendScintilla(Sci::SCI_INDICATORFILLRANGE, static_cast<unsigned long>(begin), end - begin);
 }
 
 QString DiagnosticMarks::textAt(long position) const {
     QString text;
     for (int i = 0; i < severities; ++i) {
         const long number =
-            editor_->SendScintilla(Sci::SCI_INDICATORVALUEAT, indicator(static_cast<Severity>(i)), position);
-        if (number > 0 && number <= static_cast<long>(marks_.size())) text += marks_[number - 1].text;
+            editor_->SendScintilla(Sci::SCI_INDICATORVALUEAT,
+                                   static_cast<unsigned long>(indicator(static_cast<Severity>(i))), position);
+        if (number > 0 && number <= static_cast<long>(marks_.size()))
+            text += marks_[static_cast<std::size_t>(number - 1)].text;
     }
     return text;
 }

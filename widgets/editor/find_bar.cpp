@@ -210,13 +210,14 @@ void FindBar::markAll() {
     editor_->SendScintilla(Sci::SCI_SETINDICATORVALUE, 1);
     for (std::size_t i = 0; i < result_.matches.size() && i < markLimit; ++i) {
         const SearchMatch& match = result_.matches[i];
-        editor_->SendScintilla(Sci::SCI_INDICATORFILLRANGE, match.begin, match.end - match.begin);
+        editor_->SendScintilla(Sci::SCI_INDICATORFILLRANGE, static_cast<unsigned long>(match.begin),
+                               match.end - match.begin);
     }
 }
 
 void FindBar::select(int index) {
     current_ = index;
-    const SearchMatch& match = result_.matches[index];
+    const SearchMatch& match = result_.matches[static_cast<std::size_t>(index)];
     QWidget* focus = window()->focusWidget();
     editor_->jumpTo({0, static_cast<std::uint32_t>(match.begin), static_cast<std::uint32_t>(match.end)});
     // Typing goes on where it was.
@@ -249,7 +250,7 @@ void FindBar::step(bool forward) {
     }
     if (isVisible()) return select(index);
     // F3 with the bar closed: no marks are left behind.
-    const SearchMatch match = matches[index];
+    const SearchMatch match = matches[static_cast<std::size_t>(index)];
     result_ = {};
     markAll();
     editor_->jumpTo({0, static_cast<std::uint32_t>(match.begin), static_cast<std::uint32_t>(match.end)});
@@ -259,7 +260,7 @@ void FindBar::replaceOne() {
     search();
     if (result_.matches.empty()) return;
     if (current_ < 0) return step(true);
-    const SearchMatch match = result_.matches[current_];
+    const SearchMatch match = result_.matches[static_cast<std::size_t>(current_)];
     editor_->replaceText({match});
     const int behind = match.begin + static_cast<int>(match.replacement.toUtf8().size());
     editor_->SendScintilla(Sci::SCI_SETEMPTYSELECTION, static_cast<unsigned long>(behind));

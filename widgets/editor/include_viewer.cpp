@@ -82,7 +82,7 @@ void IncludeViewer::show(const SourceLibrary& sources, const SourceRange& range)
     const long line = text_->SendScintilla(Sci::SCI_LINEFROMPOSITION, begin);
     const long shown = text_->SendScintilla(Sci::SCI_LINESONSCREEN);
     text_->SendScintilla(Sci::SCI_SETFIRSTVISIBLELINE, std::max(0L, line - shown / 3));
-    text_->SendScintilla(Sci::SCI_SETSEL, end, begin);
+    text_->SendScintilla(Sci::SCI_SETSEL, static_cast<unsigned long>(end), begin);
     text_->setFocus(Qt::OtherFocusReason);
 }
 

@@ -29,7 +29,7 @@ void indentNewLine(QsciScintilla* editor) {
     }
     const long columns = editor->SendScintilla(Sci::SCI_GETLINEINDENTATION, line - 1) +
                          (open > 0 ? editor->indentationWidth() : 0);
-    editor->SendScintilla(Sci::SCI_SETLINEINDENTATION, line, columns);
+    editor->SendScintilla(Sci::SCI_SETLINEINDENTATION, static_cast<unsigned long>(line), columns);
     editor->SendScintilla(Sci::SCI_GOTOPOS, static_cast<unsigned long>(
                                                 editor->SendScintilla(Sci::SCI_GETLINEINDENTPOSITION, line)));
 }
@@ -39,10 +39,10 @@ void alignClosingBrace(QsciScintilla* editor) {
     const long line = editor->SendScintilla(Sci::SCI_LINEFROMPOSITION, brace);
     if (editor->SendScintilla(Sci::SCI_GETLINEINDENTPOSITION, line) != brace) return;
     if (styleAt(editor, brace) != SceneStyle::symbol) return;
-    const long opening = editor->SendScintilla(Sci::SCI_BRACEMATCH, brace, 0L);
+    const long opening = editor->SendScintilla(Sci::SCI_BRACEMATCH, static_cast<unsigned long>(brace), 0L);
     if (opening < 0) return;
     const long openingLine = editor->SendScintilla(Sci::SCI_LINEFROMPOSITION, opening);
-    editor->SendScintilla(Sci::SCI_SETLINEINDENTATION, line,
+    editor->SendScintilla(Sci::SCI_SETLINEINDENTATION, static_cast<unsigned long>(line),
                           editor->SendScintilla(Sci::SCI_GETLINEINDENTATION, openingLine));
 }
 
@@ -75,7 +75,7 @@ void toggleComment(QsciScintilla* editor) {
         const bool blank = editor->SendScintilla(Sci::SCI_GETCHARAT, *start + 2) == ' ';
         const long removed = !allCommented ? 0 : blank ? 3 : 2;
         // Replacing keeps the selection; inserting would drop it.
-        editor->SendScintilla(Sci::SCI_SETTARGETRANGE, begin, begin + removed);
+        editor->SendScintilla(Sci::SCI_SETTARGETRANGE, static_cast<unsigned long>(begin), begin + removed);
         editor->SendScintilla(Sci::SCI_REPLACETARGET, allCommented ? 0UL : 3UL, allCommented ? "" : "// ");
     }
     editor->SendScintilla(Sci::SCI_ENDUNDOACTION);

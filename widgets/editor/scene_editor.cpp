@@ -220,7 +220,7 @@ void SceneEditor::rewrite(int begin, int end, const QByteArray& text) {
     const auto inside = [begin, end](long at) { return at > begin && at <= end; };
     const long anchor = SendScintilla(SCI_GETANCHOR), caret = SendScintilla(SCI_GETCURRENTPOS);
     rewriting_ = true;
-    SendScintilla(SCI_SETTARGETRANGE, begin, end);
+    SendScintilla(SCI_SETTARGETRANGE, static_cast<unsigned long>(begin), end);
     SendScintilla(SCI_REPLACETARGET, static_cast<unsigned long>(text.size()), text.constData());
     rewriting_ = false;
     numberMarks_->rewritten(begin, end, newEnd);
@@ -271,7 +271,7 @@ void SceneEditor::replaceText(const std::vector<SearchMatch>& matches) {
     // From the end, so that the positions before stay right.
     for (auto match = matches.rbegin(); match != matches.rend(); ++match) {
         const QByteArray text = match->replacement.toUtf8();
-        SendScintilla(SCI_SETTARGETRANGE, match->begin, match->end);
+        SendScintilla(SCI_SETTARGETRANGE, static_cast<unsigned long>(match->begin), match->end);
         SendScintilla(SCI_REPLACETARGET, static_cast<unsigned long>(text.size()), text.constData());
     }
     SendScintilla(SCI_ENDUNDOACTION);
@@ -286,7 +286,7 @@ void SceneEditor::jumpTo(const SourceRange& range) {
     if (line < top || line >= top + shown)
         SendScintilla(SCI_SETFIRSTVISIBLELINE, std::max(0L, line - shown / 3));
     // The caret at the beginning: a long range must not scroll to its end.
-    SendScintilla(SCI_SETSEL, end, begin);
+    SendScintilla(SCI_SETSEL, static_cast<unsigned long>(end), begin);
     setFocus(Qt::OtherFocusReason);
 }
 
@@ -304,8 +304,8 @@ void SceneEditor::setModified(bool modified) {
 
 QString SceneEditor::wordAtCaret() const {
     const long caret = SendScintilla(SCI_GETCURRENTPOS);
-    const long begin = SendScintilla(SCI_WORDSTARTPOSITION, caret, true);
-    const long end = SendScintilla(SCI_WORDENDPOSITION, caret, true);
+    const long begin = SendScintilla(SCI_WORDSTARTPOSITION, static_cast<unsigned long>(caret), true);
+    const long end = SendScintilla(SCI_WORDENDPOSITION, static_cast<unsigned long>(caret), true);
     return begin < end ? text(static_cast<int>(begin), static_cast<int>(end)) : QString();
 }
 
@@ -367,7 +367,8 @@ void SceneEditor::onCharacterAdded(int character) {
         character < 0x80 && (std::isalnum(character) || character == '_' || character == '#');
     if (!wordCharacter) return;
     const long caret = SendScintilla(SCI_GETCURRENTPOS);
-    if (caret - SendScintilla(SCI_WORDSTARTPOSITION, caret, 1L) >= autoCompletionThreshold())
+    if (caret - SendScintilla(SCI_WORDSTARTPOSITION, static_cast<unsigned long>(caret), 1L) >=
+        autoCompletionThreshold())
         autoCompleteFromAPIs();
 }
 
@@ -405,13 +406,15 @@ bool SceneEditor::viewportEvent(QEvent* event) {
 
 bool SceneEditor::showToolTip(const QPoint& position) {
     const int marginEnd = marginWidth(lineNumberMargin) + marginWidth(DiagnosticMarks::margin);
-    const long near = SendScintilla(SCI_POSITIONFROMPOINT, position.x(), position.y());
+    const long near =
+        SendScintilla(SCI_POSITIONFROMPOINT, static_cast<unsigned long>(position.x()), position.y());
     QString text;
     if (position.x() < marginEnd) {
         const int line = static_cast<int>(SendScintilla(SCI_LINEFROMPOSITION, near));
         text = diagnosticMarks_->textOfLine(line) + verdictMarks_->textOfLine(line);
     } else {
-        const long at = SendScintilla(SCI_POSITIONFROMPOINTCLOSE, position.x(), position.y());
+        const long at =
+            SendScintilla(SCI_POSITIONFROMPOINTCLOSE, static_cast<unsigned long>(position.x()), position.y());
         if (at < 0) return false;
         text = diagnosticMarks_->textAt(at);
         const SceneStyle style = styleAt(this, at);

@@ -24,7 +24,7 @@ QColor SceneLexer::textColor(SceneStyle style, Look look) {
     struct Pair {
         QRgb light, dark;
     };
-    static constexpr std::array<Pair, static_cast<int>(SceneStyle::count)> colors = {{
+    static constexpr std::array<Pair, static_cast<std::size_t>(SceneStyle::count)> colors = {{
         {0xff202226, 0xffe2e4e8},  // plain
         {0xff5f6772, 0xff8f98a5},  // comment
         {0xff0b6e32, 0xff8fce8f},  // string
@@ -34,7 +34,7 @@ QColor SceneLexer::textColor(SceneStyle style, Look look) {
         {0xff0b677a, 0xff5fd0d6},  // function
         {0xff3c4148, 0xffc3c8cf},  // symbol
     }};
-    const Pair& pair = colors[static_cast<int>(style)];
+    const Pair& pair = colors[static_cast<std::size_t>(style)];
     if (look == Look::highContrast && style == SceneStyle::plain) return Qt::white;
     return lookColor(look, pair.light, pair.dark);
 }
@@ -98,7 +98,8 @@ void SceneLexer::styleText(int start, int end) {
         const SceneScanner::Piece piece = scanner.next();
         setStyling(piece.length, static_cast<int>(piece.style));
         if (text[at] == '\n')
-            editor()->SendScintilla(QsciScintillaBase::SCI_SETLINESTATE, line++, scanner.depth());
+            editor()->SendScintilla(QsciScintillaBase::SCI_SETLINESTATE, static_cast<unsigned long>(line++),
+                                    scanner.depth());
     }
 }
 
@@ -118,7 +119,9 @@ const char* SceneLexer::blockEnd(int* style) const {
 
 SceneStyle styleAt(QsciScintilla* editor, long position) {
     const long styled = editor->SendScintilla(QsciScintillaBase::SCI_GETENDSTYLED);
-    if (styled <= position) editor->SendScintilla(QsciScintillaBase::SCI_COLOURISE, styled, position + 1);
+    if (styled <= position)
+        editor->SendScintilla(QsciScintillaBase::SCI_COLOURISE, static_cast<unsigned long>(styled),
+                              position + 1);
     return static_cast<SceneStyle>(editor->SendScintilla(QsciScintillaBase::SCI_GETSTYLEAT, position));
 }
 

@@ -9,7 +9,7 @@ void TrackedRanges::set(std::vector<Range> ranges) { ranges_.assign(ranges.begin
 
 std::optional<TrackedRanges::Range> TrackedRanges::range(int index) const {
     if (index < 0 || index >= count()) return std::nullopt;
-    return ranges_[index];
+    return ranges_[static_cast<std::size_t>(index)];
 }
 
 int TrackedRanges::indexOf(const Range& range) const {
@@ -57,7 +57,7 @@ void TrackedRanges::rewritten(int begin, int oldEnd, int newEnd) {
 }
 
 void TrackedRanges::place(int index, const Range& range) {
-    if (index >= 0 && index < count()) ranges_[index] = range;
+    if (index >= 0 && index < count()) ranges_[static_cast<std::size_t>(index)] = range;
 }
 
 }  // namespace isoscope

@@ -138,7 +138,7 @@ void FunctionBrowser::startSearch() {
 
 const Builtin* FunctionBrowser::current() const {
     const QModelIndex index = filter_->mapToSource(list_->currentIndex());
-    return index.isValid() ? &builtins()[index.row()] : nullptr;
+    return index.isValid() ? &FunctionListModel::builtin(index.row()) : nullptr;
 }
 
 /// Pictures and the text of the details begin here: at the start of the program they would take time from the

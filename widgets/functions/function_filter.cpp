@@ -13,12 +13,12 @@ FunctionFilter::FunctionFilter(QObject* parent) : WordFilter(parent) {
 }
 
 bool FunctionFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
-    return !builtins()[row].name.empty() && WordFilter::filterAcceptsRow(row, parent);
+    return !FunctionListModel::builtin(row).name.empty() && WordFilter::filterAcceptsRow(row, parent);
 }
 
 bool FunctionFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
     const auto key = [](const QModelIndex& index) {
-        const Builtin& builtin = builtins()[index.row()];
+        const Builtin& builtin = FunctionListModel::builtin(index.row());
         return std::pair(builtin.id < 0, std::string_view(builtin.name));
     };
     return key(left) < key(right);

@@ -9,7 +9,7 @@
 namespace isoscope {
 
 FunctionListModel::FunctionListModel(QObject* parent)
-    : QAbstractListModel(parent), pictures_(builtins().size()) {}
+    : QAbstractListModel(parent), pictures_(static_cast<qsizetype>(builtins().size())) {}
 
 FunctionListModel::~FunctionListModel() = default;
 
@@ -30,19 +30,21 @@ int FunctionListModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(builtins().size());
 }
 
+const Builtin& FunctionListModel::builtin(int row) { return builtins()[static_cast<std::size_t>(row)]; }
+
 QVariant FunctionListModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) return {};
-    const Builtin& builtin = builtins()[index.row()];
-    const QString name = QString::fromStdString(builtin.name);
+    const Builtin& shown = builtin(index.row());
+    const QString name = QString::fromStdString(shown.name);
     switch (role) {
         case Qt::DisplayRole: return name;
-        case Qt::ToolTipRole: return signature(builtin);
-        case Qt::AccessibleTextRole: return name + ", " + QString::fromStdString(builtin.formula);
+        case Qt::ToolTipRole: return signature(shown);
+        case Qt::AccessibleTextRole: return name + ", " + QString::fromStdString(shown.formula);
         case Qt::DecorationRole: return picture(index.row());
-        case formulaRole: return QString::fromStdString(builtin.formula);
+        case formulaRole: return QString::fromStdString(shown.formula);
         case searchRole: {
-            QString text = name + ' ' + QString::fromStdString(builtin.kind);
-            for (const BuiltinParameter& parameter : builtin.parameters)
+            QString text = name + ' ' + QString::fromStdString(shown.kind);
+            for (const BuiltinParameter& parameter : shown.parameters)
                 text += ' ' + QString::fromStdString(parameter.name);
             return text;
         }
@@ -52,7 +54,7 @@ QVariant FunctionListModel::data(const QModelIndex& index, int role) const {
 
 QImage FunctionListModel::picture(int row) const {
     if (pictures_[row].isNull() && renderer_) {
-        pictures_[row] = renderer_->thumbnail(row, thumbnailScene(builtins()[row]));
+        pictures_[row] = renderer_->thumbnail(row, thumbnailScene(builtin(row)));
         if (!pictures_[row].isNull()) pictures_[row].setDevicePixelRatio(ratio_);
     }
     return pictures_[row];

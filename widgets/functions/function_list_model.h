@@ -3,7 +3,7 @@
 
 #include <QAbstractListModel>
 #include <QImage>
-#include <vector>
+#include <QList>
 
 #include "core/function/builtins/builtin.h"
 
@@ -28,6 +28,9 @@ class FunctionListModel : public QAbstractListModel {
     /// call.
     void startPictures(double devicePixelRatio);
 
+    /// What a row shows.
+    static const Builtin& builtin(int row);
+
     /// 0 below a row: the list is flat.
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -37,7 +40,7 @@ class FunctionListModel : public QAbstractListModel {
 
     ThumbnailRenderer* renderer_ = nullptr;
     double ratio_ = 1;
-    mutable std::vector<QImage> pictures_;
+    mutable QList<QImage> pictures_;
 };
 
 }  // namespace isoscope

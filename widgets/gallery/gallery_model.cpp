@@ -16,7 +16,7 @@ void GalleryModel::setEntries(QList<GalleryEntry> entries) {
     beginResetModel();
     firstRequest_ += static_cast<int>(entries_.size());
     entries_ = std::move(entries);
-    pictures_.assign(entries_.size(), {});
+    pictures_ = QList<QImage>(entries_.size());
     endResetModel();
 }
 

@@ -4,7 +4,6 @@
 #include <QAbstractListModel>
 #include <QImage>
 #include <QList>
-#include <vector>
 
 #include "widgets/gallery/gallery_entry.h"
 
@@ -60,7 +59,7 @@ class GalleryModel : public QAbstractListModel {
     mutable int asked_ = 0;
     ThumbnailRenderer* renderer_ = nullptr;
     double ratio_ = 1;
-    mutable std::vector<QImage> pictures_;
+    mutable QList<QImage> pictures_;
 };
 
 }  // namespace isoscope

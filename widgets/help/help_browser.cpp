@@ -224,7 +224,7 @@ QVariant HelpBrowser::loadResource(int type, const QUrl& name) {
 void HelpBrowser::showPicture(int index, QImage image) {
     if (image.isNull()) return;
     image.setDevicePixelRatio(devicePixelRatioF());
-    const QString function = QString::fromStdString(builtins()[index].name);
+    const QString function = QString::fromStdString(builtins()[static_cast<std::size_t>(index)].name);
     known_[function] = image;
     document()->addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("picture:") + function), image);
     document()->markContentsDirty(0, document()->characterCount());

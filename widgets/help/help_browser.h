@@ -4,7 +4,7 @@
 #include <QHash>
 #include <QImage>
 #include <QTextBrowser>
-#include <vector>
+#include <QList>
 
 #include "widgets/help/help_markdown.h"
 
@@ -29,7 +29,7 @@ class HelpBrowser : public QTextBrowser {
     /// The address of the page that is shown, with the anchor that it was opened with.
     QString address() const;
     bool canGoBack() const { return at_ > 0; }
-    bool canGoForward() const { return at_ + 1 < static_cast<int>(way_.size()); }
+    bool canGoForward() const { return at_ + 1 < way_.size(); }
     /// Larger letters by so many points; smaller for negative ones.
     void setZoom(int points);
     /// Marks a text wherever it stands and selects the next place, or the one before; goes round at the ends.
@@ -78,7 +78,7 @@ class HelpBrowser : public QTextBrowser {
     void showPicture(int index, QImage image);
 
     const HelpLibrary* library_;
-    std::vector<Stop> way_;
+    QList<Stop> way_;
     int at_ = -1;
     int zoom_ = 0;
     PreparedPage page_;

@@ -76,7 +76,8 @@ void NumberMarks::place(int index, int begin, int end) {
 void NumberMarks::fill(const TrackedRanges::Range& range) {
     editor_->SendScintilla(Sci::SCI_SETINDICATORCURRENT, indicator);
     editor_->SendScintilla(Sci::SCI_SETINDICATORVALUE, 1);
-    editor_->SendScintilla(Sci::SCI_INDICATORFILLRANGE, range.begin, range.end - range.begin);
+    editor_->SendScintilla(Sci::SCI_INDICATORFILLRANGE, static_cast<unsigned long>(range.begin),
+                           range.end - range.begin);
 }
 
 }  // namespace isoscope

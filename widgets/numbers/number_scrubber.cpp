@@ -138,7 +138,8 @@ bool NumberScrubber::stepAtCaret(double steps) {
 }
 
 std::optional<NumberLiteral> NumberScrubber::numberUnder(const QPoint& position) const {
-    const long at = editor_->SendScintilla(Sci::SCI_POSITIONFROMPOINTCLOSE, position.x(), position.y());
+    const long at = editor_->SendScintilla(Sci::SCI_POSITIONFROMPOINTCLOSE,
+                                           static_cast<unsigned long>(position.x()), position.y());
     return at < 0 ? std::nullopt : numberOf(at);
 }
 

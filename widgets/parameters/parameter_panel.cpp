@@ -162,7 +162,7 @@ ParameterSlider* ParameterPanel::settingOf(const SourceRange& statement, Paramet
 }
 
 ParameterSlider* ParameterPanel::slider(int index) const {
-    return index >= 0 && index < count() ? rows_[index].slider : nullptr;
+    return index >= 0 && index < count() ? rows_[static_cast<std::size_t>(index)].slider : nullptr;
 }
 
 void ParameterPanel::settle() {
@@ -204,7 +204,7 @@ void ParameterPanel::choose(const std::function<std::optional<double>(const Para
     settle();
     std::vector<std::pair<int, double>> values;
     for (int i = 0; i < count(); ++i) {
-        const ParameterSlider& row = *rows_[i].slider;
+        const ParameterSlider& row = *rows_[static_cast<std::size_t>(i)].slider;
         const SceneParameter& parameter = row.parameter();
         if (row.isHidden() || row.isLocked() || parameter.expression || parameter.implied) continue;
         const std::optional<double> wanted = value(row);
@@ -268,7 +268,8 @@ ParameterSlider* ParameterPanel::makeSlider(const SceneParameter& parameter, con
     connect(slider, &ParameterSlider::playRequested, this,
             [this, slider](bool on) { on ? player_->start(indexOf(slider)) : player_->stop(); });
     connect(slider, &ParameterSlider::keyRequested, this, [this, slider] {
-        if (const int index = indexOf(slider); index >= 0) emit keyRequested(rows_[index].presetName);
+        if (const int index = indexOf(slider); index >= 0)
+            emit keyRequested(rows_[static_cast<std::size_t>(index)].presetName);
     });
     connect(slider, &ParameterSlider::noteChanged, this,
             [this, slider](const auto& note) { emit noteChanged(indexOf(slider), note); });

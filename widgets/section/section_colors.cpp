@@ -47,7 +47,8 @@ SectionColors::SectionColors(const QPalette& palette) {
     for (int i = 0; i < steps; ++i) {
         const double value = 2.0 * i / (steps - 1) - 1;
         // Spreads the middle: what is close to the threshold is what one looks at.
-        table_[i] = mix(middle, value < 0 ? inside : outside, std::pow(std::abs(value), 0.7));
+        table_[static_cast<std::size_t>(i)] =
+            mix(middle, value < 0 ? inside : outside, std::pow(std::abs(value), 0.7));
     }
 }
 

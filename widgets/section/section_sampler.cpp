@@ -72,7 +72,8 @@ bool fill(const SectionRequest& request, SectionField& field, std::stop_token st
     for (auto& coordinate : points) coordinate.resize(columns);
     std::vector<double> across(columns);
     for (std::size_t i = 0; i < columns; ++i)
-        across[i] = field.left + (field.right - field.left) * static_cast<double>(i) / (columns - 1);
+        across[i] = field.left +
+                    (field.right - field.left) * static_cast<double>(i) / static_cast<double>(columns - 1);
 
     const LoopStop loops(stop);
     PointEvaluator evaluator(request.surface->tape(), parametersOf(request));
@@ -86,7 +87,7 @@ bool fill(const SectionRequest& request, SectionField& field, std::stop_token st
         const double height = field.bottom + (field.top - field.bottom) * row / (field.rows - 1);
         for (std::size_t i = 0; i < columns; ++i) {
             const glm::dvec3 p = field.plane.at(across[i], height);
-            for (int k = 0; k < 3; ++k) points[k][i] = p[k];
+            points[0][i] = p.x, points[1][i] = p.y, points[2][i] = p.z;
         }
         evaluator.evaluate(points[0], points[1], points[2], values);
         if (slopes) slopes->sample(points, &field.slopes[static_cast<std::size_t>(row) * columns]);
@@ -123,7 +124,7 @@ SectionField sampleSection(const SectionRequest& request, std::stop_token stop) 
     const double step = std::max(width, height) / (resolution - 1);
     field.columns = std::clamp(static_cast<int>(std::lround(width / step)) + 1, 2, resolution);
     field.rows = std::clamp(static_cast<int>(std::lround(height / step)) + 1, 2, resolution);
-    const std::size_t count = static_cast<std::size_t>(field.columns) * field.rows;
+    const std::size_t count = static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows);
     field.values.resize(count);
     field.contained.resize(count);
     field.quantity = request.quantity;

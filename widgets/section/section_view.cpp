@@ -59,7 +59,6 @@ constexpr double widestSpacing = 56, closestSpacing = 24;  ///< of labels
 class SectionStyle : public vtkInteractorStyleImage {
   public:
     static SectionStyle* New();
-    vtkTypeMacro(SectionStyle, vtkInteractorStyleImage);
 
     void OnLeftButtonDown() override {
         const int* position = GetInteractor()->GetEventPosition();
@@ -70,6 +69,9 @@ class SectionStyle : public vtkInteractorStyleImage {
         if (State == VTKIS_PAN) EndPan();
     }
     void OnChar() override {}
+
+    // Behind the last member: the macro ends with a function, and a semicolon behind it were one too many.
+    vtkTypeMacro(SectionStyle, vtkInteractorStyleImage)
 };
 vtkStandardNewMacro(SectionStyle);
 
@@ -293,9 +295,10 @@ void SectionView::updateImage() {
     const bool gradient = field_.quantity == SectionQuantity::gradient;
     const std::vector<float>& heights = field_.heights();
     const double full = reach();
+    const auto columns = static_cast<std::size_t>(field_.columns);
     unsigned char* out = colors->GetPointer(0);
     for (std::size_t i = 0; i < field_.values.size(); ++i, out += 3) {
-        const int column = static_cast<int>(i % field_.columns), row = static_cast<int>(i / field_.columns);
+        const int column = static_cast<int>(i % columns), row = static_cast<int>(i / columns);
         auto rgb = std::isnan(heights[i]) ? p.colors.undefined(column, row)
                    : gradient             ? heatRgb(heights[i] / full)
                                           : p.colors.color(heights[i] / full);

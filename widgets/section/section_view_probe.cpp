@@ -91,7 +91,7 @@ void SectionView::tellHover() {
     const double row = (place.y() - field_.bottom) / (field_.top - field_.bottom) * (field_.rows - 1);
     if (column < 0 || row < 0 || column > field_.columns - 1 || row > field_.rows - 1) return endHover();
     emit hovered(place.x(), place.y(),
-                 static_cast<std::size_t>(std::lround(row)) * field_.columns + std::lround(column));
+                 static_cast<std::size_t>(std::lround(row) * field_.columns + std::lround(column)));
 }
 
 void SectionView::keyPressEvent(QKeyEvent* event) {

@@ -43,7 +43,6 @@ void observe(vtkObject* object, unsigned long event, void* client,
 class MessageLog : public vtkOutputWindow {
   public:
     static MessageLog* New();
-    vtkTypeMacro(MessageLog, vtkOutputWindow);
 
     void DisplayText(const char* text) override { qWarning("VTK: %s", text); }
 
@@ -55,6 +54,9 @@ class MessageLog : public vtkOutputWindow {
         }();
         Q_UNUSED(done)
     }
+
+    // Behind the last member: the macro ends with a function, and a semicolon behind it were one too many.
+    vtkTypeMacro(MessageLog, vtkOutputWindow)
 };
 vtkStandardNewMacro(MessageLog);
 

@@ -351,10 +351,10 @@ void AccuracyPanel::describe() {
 }
 
 void AccuracyPanel::describeHover(double value) {
-    note_->setText(tr("Click for %1 %2.").arg(settingName(studied()), numberText(settled(value))));
+    note_->setText(tr("Click for %1 %2.").arg(settingName(studied()), numberText(settledValue(value))));
 }
 
-double AccuracyPanel::settled(double value) const {
+double AccuracyPanel::settledValue(double value) const {
     for (const AccuracyPoint& point : points())
         if (std::abs(std::log10(point.setting / value)) < snapDecades)
             return QString::number(point.setting, 'g', 3).toDouble();
@@ -363,7 +363,7 @@ double AccuracyPanel::settled(double value) const {
 }
 
 void AccuracyPanel::request(double value) {
-    if (!points().empty()) emit settingRequested(studied(), settled(value));
+    if (!points().empty()) emit settingRequested(studied(), settledValue(value));
 }
 
 QString AccuracyPanel::table() const {

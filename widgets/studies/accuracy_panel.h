@@ -100,7 +100,7 @@ class AccuracyPanel : public StudyPanel {
     void describeHover(double value);
     void request(double value);
     /// The value to write for a click: a measured one when it is near, else a round one.
-    double settled(double value) const;
+    double settledValue(double value) const;
 
     std::shared_ptr<const Scene> scene_;
     Camera camera_;

@@ -93,7 +93,7 @@ EffectsPanel::EffectsPanel(QWidget* parent) : StudyPanel(parent) {
     label->setBuddy(movingTime_);
     line->addWidget(movingTime_);
     connect(movingTime_, &QSpinBox::valueChanged, this,
-            [this](int milliseconds) { emit movingSecondsChanged(milliseconds / 1000.0); });
+            [this](int most) { emit movingSecondsChanged(most / 1000.0); });
     outlineMarks();
     connect(table_, &QTreeWidget::itemChanged, this, &EffectsPanel::noteSwitch);
     refresh();

@@ -58,7 +58,7 @@ FormulaPanel::FormulaPanel(QWidget* parent) : StudyPanel(parent) {
     surfaces_ = new SurfaceChooser(tr("The isosurface whose function is written otherwise."));
     surfaces_->setWhatsThis(surfaces_->toolTip());
     connect(surfaces_, &SurfaceChooser::activated, this, [this] {
-        endWork(true);
+        stopWork(true);
         refresh();
         beginIfWanted();
     });
@@ -76,7 +76,7 @@ FormulaPanel::FormulaPanel(QWidget* parent) : StudyPanel(parent) {
     connect(row_->button(), &QPushButton::clicked, this, [this] {
         declined_ = working_;
         if (!working_) return work();
-        endWork(false);
+        stopWork(false);
         refresh();
     });
     row_->add(rewrite_);
@@ -164,7 +164,7 @@ void FormulaPanel::setScene(std::shared_ptr<const Scene> scene) {
     if (scene == scene_) return;
     scene_ = std::move(scene);
     surfaces_->setScene(scene_.get());
-    endWork(true);
+    stopWork(true);
     declined_ = false;
     refresh();
     beginIfWanted();
@@ -172,7 +172,7 @@ void FormulaPanel::setScene(std::shared_ptr<const Scene> scene) {
 
 void FormulaPanel::setActive(bool active) {
     active_ = active;
-    if (!active) endWork(false);
+    if (!active) stopWork(false);
     refresh();
     beginIfWanted();
 }
@@ -182,7 +182,7 @@ void FormulaPanel::setResting(bool resting) {
     beginIfWanted();
 }
 
-void FormulaPanel::endWork(bool forget) {
+void FormulaPanel::stopWork(bool forget) {
     stop_.request_stop();
     ++generation_;
     working_ = false;
@@ -211,7 +211,7 @@ void FormulaPanel::tell(std::uint64_t generation, Action action) {
 void FormulaPanel::work() {
     const auto parsed = reader_ ? reader_() : nullptr;
     if (!subject() || !parsed || !parsed->scene || chosen() >= parsed->scene->isosurfaces.size()) return;
-    endWork(true);
+    stopWork(true);
     declined_ = false;
     working_ = true;
     parsed_ = parsed;

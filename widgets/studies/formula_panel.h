@@ -63,7 +63,7 @@ class FormulaPanel : public StudyPanel {
     QWidget* buildDerivatives();
     std::size_t chosen() const;
     const SceneIsosurface* subject() const;
-    void endWork(bool forget);
+    void stopWork(bool forget);
     void beginIfWanted();
     void work();
     template <class Action>

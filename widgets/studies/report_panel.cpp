@@ -65,7 +65,7 @@ ReportPanel::ReportPanel(QWidget* parent) : StudyPanel(parent) {
     surfaces_ = new SurfaceChooser(tr("The isosurface that is reported on."));
     surfaces_->setWhatsThis(surfaces_->toolTip());
     connect(surfaces_, &SurfaceChooser::activated, this, [this] {
-        endWork(true);
+        stopWork(true);
         refresh();
         beginIfWanted();
     });
@@ -89,7 +89,7 @@ ReportPanel::ReportPanel(QWidget* parent) : StudyPanel(parent) {
     connect(row_->button(), &QPushButton::clicked, this, [this] {
         declined_ = working_;
         if (!working_) return work();
-        endWork(false);
+        stopWork(false);
         refresh();
     });
     row_->add(goThere_);
@@ -162,7 +162,7 @@ void ReportPanel::setScene(std::shared_ptr<const Scene> scene) {
     scene_ = std::move(scene);
     surfaces_->setScene(scene_.get());
     if (!same) {
-        endWork(true);
+        stopWork(true);
         declined_ = false;
         refresh();
     }
@@ -171,7 +171,7 @@ void ReportPanel::setScene(std::shared_ptr<const Scene> scene) {
 
 void ReportPanel::setActive(bool active) {
     active_ = active;
-    if (!active) endWork(false);
+    if (!active) stopWork(false);
     refresh();
     beginIfWanted();
 }
@@ -181,7 +181,7 @@ void ReportPanel::setResting(bool resting) {
     beginIfWanted();
 }
 
-void ReportPanel::endWork(bool forget) {
+void ReportPanel::stopWork(bool forget) {
     stop_.request_stop();
     ++generation_;
     working_ = false;
@@ -214,7 +214,7 @@ void ReportPanel::tell(std::uint64_t generation, Action action) {
 
 void ReportPanel::work() {
     if (!subject()) return;
-    endWork(true);
+    stopWork(true);
     declined_ = false;
     working_ = true;
     stop_ = std::stop_source();
@@ -249,9 +249,9 @@ void ReportPanel::work() {
 
 bool ReportPanel::wantsRewrites() const {
     const bool mendable = std::ranges::any_of(health_.findings, [](const HealthFinding& finding) {
-        for (const RewriteKind kind :
+        for (const RewriteKind rewrite :
              {RewriteKind::squared, RewriteKind::overflow, RewriteKind::cancellation, RewriteKind::angle})
-            if (helps(kind, finding.ailment)) return true;
+            if (helps(rewrite, finding.ailment)) return true;
         return false;
     });
     const auto parsed = mendable && reader_ ? reader_() : nullptr;
@@ -259,7 +259,7 @@ bool ReportPanel::wantsRewrites() const {
 }
 
 void ReportPanel::searchRewrites() {
-    endWork(false);
+    stopWork(false);
     working_ = true;
     rewritesOf_ = reader_();  // stopped, it is not begun again
     rewrites_.clear();

@@ -64,7 +64,7 @@ class ReportPanel : public StudyPanel {
 
     QWidget* buildHealth();
     std::size_t chosen() const;
-    void endWork(bool forget);
+    void stopWork(bool forget);
     void beginIfWanted();
     void work();
     void searchRewrites();

@@ -394,8 +394,8 @@ void ThresholdPanel::showProbe(const ProbedPoint* point) {
     chart_->setCursorLine(here ? std::optional(point->value) : std::nullopt);
 }
 
-const ThresholdTick* ThresholdPanel::tickNear(double value) const {
-    const double pixels = chart_->positionOf({value, 0}).x();
+const ThresholdTick* ThresholdPanel::tickNear(double threshold) const {
+    const double pixels = chart_->positionOf({threshold, 0}).x();
     const ThresholdTick* nearest = nullptr;
     double least = magnet;
     for (const ThresholdTick& tick : ticks_) {
@@ -407,10 +407,10 @@ const ThresholdTick* ThresholdPanel::tickNear(double value) const {
     return nearest;
 }
 
-double ThresholdPanel::settledValue(double value) const {
-    if (const ThresholdTick* tick = tickNear(value)) return written(tick->value);
+double ThresholdPanel::settledValue(double threshold) const {
+    if (const ThresholdTick* tick = tickNear(threshold)) return written(tick->value);
     const double step = (chart_->chart().x.high - chart_->chart().x.low) / roundSteps;
-    return roundToResolution(value, std::pow(10, std::floor(std::log10(step))));
+    return roundToResolution(threshold, std::pow(10, std::floor(std::log10(step))));
 }
 
 void ThresholdPanel::changeEvent(QEvent* event) {

@@ -77,10 +77,10 @@ class ThresholdPanel : public StudyPanel {
     void showChart();
     void showList();
     void describe();
-    /// The mark that is near a value of the chart; null for none.
-    const ThresholdTick* tickNear(double value) const;
-    /// What a press at this value of the chart means: a mark that is near, else a round number.
-    double settledValue(double value) const;
+    /// The mark that is near a threshold in the chart; null for none.
+    const ThresholdTick* tickNear(double threshold) const;
+    /// What a press at this threshold in the chart means: a mark that is near, else a round number.
+    double settledValue(double threshold) const;
     const ThresholdTick* current() const;
 
     std::shared_ptr<const Scene> scene_;

@@ -50,9 +50,9 @@ QString placeText(const SourceRange& range, const SourceLibrary& sources) {
     if (range.file >= sources.size()) return {};
     const SourceText& source = sources[range.file];
     const LineColumn at = source.position(range.begin);
-    const auto begin = static_cast<std::size_t>(range.begin) - (at.column - 1);
-    const std::string_view before =
-        source.text().substr(std::min(begin, source.text().size()), at.column - 1);
+    const auto bytes = static_cast<std::size_t>(at.column - 1);
+    const std::size_t begin = range.begin - bytes;
+    const std::string_view before = source.text().substr(std::min(begin, source.text().size()), bytes);
     const auto column = std::count_if(before.begin(), before.end(), [](char byte) {
         return (static_cast<unsigned char>(byte) & 0xc0) != 0x80;
     });
@@ -281,15 +281,15 @@ void ProblemsPanel::showMenu(const QPoint& place) {
 void ProblemsPanel::setIcons() {
     for (QTreeWidgetItemIterator it(list_); *it; ++it) {
         const int severity = (*it)->data(messageColumn, severityRole).toInt();
-        if (severity != callIcon) (*it)->setIcon(messageColumn, icons_[severity]);
+        if (severity != callIcon) (*it)->setIcon(messageColumn, icons_[static_cast<std::size_t>(severity)]);
     }
 }
 
 void ProblemsPanel::setTitle(const Diagnostics& diagnostics) {
     std::array<int, 4> counts{};
-    for (const Diagnostic& diagnostic : diagnostics) ++counts[static_cast<int>(diagnostic.severity)];
+    for (const Diagnostic& diagnostic : diagnostics) ++counts[static_cast<std::size_t>(diagnostic.severity)];
     const auto part = [&](Severity severity, const QString& one, const QString& many) {
-        const int count = counts[static_cast<int>(severity)];
+        const int count = counts[static_cast<std::size_t>(severity)];
         return count == 0 ? QString() : QString("%1 %2").arg(count).arg(count == 1 ? one : many);
     };
     QStringList parts{part(Severity::error, tr("error"), tr("errors")),

@@ -2,7 +2,7 @@
 #include "widgets/viewport/picture_buffer.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cstddef>
 
 namespace isoscope {
 
@@ -15,12 +15,11 @@ bool wellFormed(const FinishedTile& tile) {
 
 void copyTile(const FinishedTile& tile, QImage& image) {
     const QRect area = QRect(tile.x, tile.y, tile.width, tile.height) & image.rect();
-    if (tile.pixels.size() < static_cast<std::size_t>(tile.width) * tile.height) return;
+    if (!wellFormed(tile)) return;
     for (int y = area.top(); y <= area.bottom(); ++y) {
         const std::uint32_t* from =
-            tile.pixels.data() + static_cast<std::size_t>(y - tile.y) * tile.width + (area.left() - tile.x);
-        std::memcpy(image.scanLine(y) + area.left() * sizeof(std::uint32_t), from,
-                    area.width() * sizeof(std::uint32_t));
+            tile.pixels.data() + std::ptrdiff_t{y - tile.y} * tile.width + (area.left() - tile.x);
+        std::copy_n(from, area.width(), reinterpret_cast<std::uint32_t*>(image.scanLine(y)) + area.left());
     }
 }
 

@@ -437,7 +437,8 @@ void Viewport::paintOverlays(QPainter& painter) {
         painter.setPen(QPen(QColor(0, 0, 0, 120), 4));
         painter.drawEllipse(circle);
         painter.setPen(QPen(palette().highlight(), 2.5, Qt::SolidLine, Qt::RoundCap));
-        const int start = -static_cast<int>(busySince_.elapsed() * degreesPerMillisecond) % 360;
+        const int start =
+            -static_cast<int>(static_cast<double>(busySince_.elapsed()) * degreesPerMillisecond) % 360;
         painter.drawArc(circle, start * 16, 100 * 16);
     }
     if (hasFocus()) {

@@ -42,7 +42,7 @@ class ExampleMenu : public QMenu {
     void showPicture(int index, QImage image);
 
     ThumbnailRenderer* renderer_ = nullptr;
-    std::vector<QAction*> entries_;
+    QList<QAction*> entries_;
 };
 
 }  // namespace isoscope

@@ -351,7 +351,7 @@ void MainWindow::offerUndoOfPlay(bool playing) {
 void MainWindow::say(const QString& message) { statusBar()->showMessage(message, timing::messageDuration); }
 
 void MainWindow::connectTextActions() {
-    const auto on = [this](QAction* action, auto receiver, auto method) {
+    const auto on = [](QAction* action, auto receiver, auto method) {
         connect(action, &QAction::triggered, receiver, method);
     };
     // A slider that plays has not told the text yet.
@@ -389,7 +389,7 @@ void MainWindow::connectTextActions() {
 }
 
 void MainWindow::connectViewActions() {
-    const auto on = [this](QAction* action, auto receiver, auto method) {
+    const auto on = [](QAction* action, auto receiver, auto method) {
         connect(action, &QAction::triggered, receiver, method);
     };
     on(actions_->resetView, viewport(), &Viewport::resetView);
@@ -411,7 +411,7 @@ void MainWindow::connectViewActions() {
 }
 
 void MainWindow::connectFileActions() {
-    const auto on = [this](QAction* action, auto receiver, auto method) {
+    const auto on = [](QAction* action, auto receiver, auto method) {
         connect(action, &QAction::triggered, receiver, method);
     };
     on(actions_->newFile, documents_, &DocumentController::newDocument);

@@ -256,7 +256,7 @@ void ShortcutWindow::judge() {
     QKeySequence wanted = field_->keySequence();
     if (wanted.count() > 1) {
         // The field collects several; the last one counts.
-        field_->setKeySequence(QKeySequence(wanted[wanted.count() - 1]));
+        field_->setKeySequence(QKeySequence(wanted[static_cast<uint>(wanted.count()) - 1]));
         return;
     }
     const QAction* current = action();
