@@ -125,7 +125,8 @@ class AffineEvaluatorTest : public QObject {
             for (std::size_t lane = 0; lane < batchLanes; ++lane) {
                 const double quarters =
                     std::floor(uniform(random, -20000, 20000) / (lane % 8 == 0 ? 1 : 100));
-                pieces.origin[0][lane] = quarters * 1.5707963267948966 + uniform(random, -1, 1) * (lane % 3);
+                pieces.origin[0][lane] =
+                    quarters * 1.5707963267948966 + uniform(random, -1, 1) * static_cast<double>(lane % 3);
             }
             sines.evaluate(pieces, s);
             cosines.evaluate(pieces, c);

@@ -82,8 +82,8 @@ class MendedMessagesTest : public QObject {
         const ParseResult parsed = parseScene(text.toStdString());
         QCOMPARE(replacements(parsed), expected);
         // Nothing else is complained about.
-        const auto found = static_cast<int>(complaints(parsed).size());
-        QVERIFY2(found == std::max<int>(expected.size(), 1), problems(parsed).c_str());
+        const auto found = static_cast<qsizetype>(complaints(parsed).size());
+        QVERIFY2(found == std::max<qsizetype>(expected.size(), 1), problems(parsed).c_str());
     }
 
     void aNameOfAMissingIncludeIsNamedWithIt() {

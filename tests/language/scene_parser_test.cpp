@@ -491,6 +491,29 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
         }
     }
 
+    /// Behind a wrong number of arguments reading goes on after them.
+    void wrongArgumentsAreOneMistake() {
+        for (const char* call : {"atan2(1)", "sin(1, 2, 3)", "select(1)", "max()", "sin(1, (2), sin(3))"}) {
+            const ParseResult parsed =
+                parseScene("#declare A = " + std::string(call) + " + 1;\n#declare B = 2;\nsphere { 0, B }");
+            QVERIFY2(complaints(parsed).size() == 1, problems(parsed).c_str());
+            QCOMPARE(parsed.scene->objects.size(), std::size_t(1));
+        }
+    }
+
+    void unclosedDirectivesAreShownWhereTheyBegin() {
+        for (const char* begin :
+             {"for (I, 1, 3)", "while (1 > 2)", "if (1)", "ifdef (A)", "switch (1) #case (1)"}) {
+            const ParseResult parsed =
+                parseScene("sphere { 0, 1 }\n #" + std::string(begin) + " box { 0, 1 }");
+            const std::string word = std::string(begin).substr(0, std::string(begin).find(' '));
+            const auto said = std::ranges::find(parsed.diagnostics, "unclosed-directive", &Diagnostic::id);
+            QVERIFY2(said != parsed.diagnostics.end(), begin);
+            QCOMPARE(textOf(parsed, said->range), "#" + word);
+            QVERIFY(said->message.starts_with("`#" + word + "` is never closed"));
+        }
+    }
+
     /// Behind a mistake in a map its block is passed over.
     void aMistakeInAMapIsOne() {
         for (const char* map : {"texture_map { [0 pigment { rgb 1 }] wibble [1 pigment { rgb 0 }] }",

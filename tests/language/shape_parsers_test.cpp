@@ -88,6 +88,16 @@ class ShapeParsersTest : public QObject {
         }
     }
 
+    void termsHaveTheirNames() {
+        const ParseResult parsed =
+            parseScene("cubic { <1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20> }");
+        QStringList names;
+        for (const SceneParameter& parameter : parsed.scene->parameters)
+            names << QString::fromStdString(parameter.name);
+        QCOMPARE(names.join(' '),
+                 QString("x3 x2y x2z x2 xy2 xyz xy xz2 xz x y3 y2z y2 yz2 yz y z3 z2 z constant"));
+    }
+
     void precisionOfJuliaSetsIsOneAtLeast_CONF_04() {
         const ParseResult parsed = parseScene(
             "#declare Low = julia_fractal { <-0.1, 0.5, 0, 0> precision 0.25 }\n"

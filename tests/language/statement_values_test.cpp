@@ -356,6 +356,19 @@ class StatementValuesTest : public QObject {
         });
     }
 
+    /// The first is where the checker has 1.
+    void tilesAreACheckerFromItsEnd() {
+        const ParseResult parsed = parseScene(
+            "sphere { 0, 1 texture { tiles { texture { pigment { rgb 0.25 } } tile2 texture { pigment { rgb "
+            "0.75 } } } } }");
+        QVERIFY2(complaintsOf(parsed).empty(), problems(parsed).c_str());
+        const auto map = materialOf(parsed).map;
+        QVERIFY(map && map->entries.size() == 2 && map->kind == MapKind::list);
+        QCOMPARE(map->pattern.kind, PatternKind::checker);
+        QCOMPARE(description(map->entries[0].material.pigment), std::string("0.75 0.75 0.75"));
+        QCOMPARE(description(map->entries[1].material.pigment), std::string("0.25 0.25 0.25"));
+    }
+
     void lights_data() {
         columns();
         row("light_source { <1, 2, 3>, rgb <0.5, 0.25, 1> }", "kind 0, at 1 2 3, color 0.5 0.25 1, line 1");

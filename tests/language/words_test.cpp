@@ -227,6 +227,18 @@ class WordsTest : public QObject {
         QCOMPARE(accepts(QString("#declare F = function { sum(%1, 1, 3, %1) }").arg(QTest::currentDataTag())),
                  accepted);
     }
+
+    /// What is put together from objects takes them, and nothing else does.
+    void onlyCombiningObjectsTakeObjects() {
+        const auto has = [](const char* block, const char* word) {
+            const std::vector<std::string>& words = wordsOfBlock(block);
+            return std::find(words.begin(), words.end(), word) != words.end();
+        };
+        for (const char* object : {"union", "merge", "intersection", "difference", "light_group"})
+            QVERIFY2(has(object, "sphere") && has(object, "split_union") && has(object, "pigment"), object);
+        for (const char* object : {"sphere", "box", "torus", "isosurface", "mesh"})
+            QVERIFY2(!has(object, "sphere") && !has(object, "split_union") && has(object, "pigment"), object);
+    }
 };
 
 QTEST_GUILESS_MAIN(WordsTest)

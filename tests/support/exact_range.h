@@ -15,7 +15,7 @@ struct ExactRange {
 
     ExactRange() = default;
     explicit ExactRange(double value);
-    ExactRange(const ExactNumber& low, const ExactNumber& high) : low(low), high(high) {}
+    ExactRange(const ExactNumber& least, const ExactNumber& most) : low(least), high(most) {}
 
     /// All numbers.
     static ExactRange all();
