@@ -293,8 +293,8 @@ class AffineAlgebra {
 
     /// Every value of either: the least form with the mean of their slopes.
     static HWY_INLINE Number hullOf(const Number& p, const Number& q) {
-        const Vector b = half(hn::Add(p.b, q.b)), turn = half(hn::Abs(hn::Sub(p.b, q.b)));
-        const Vector reachOfP = hn::Add(p.e, turn), reachOfQ = hn::Add(q.e, turn);
+        const Vector b = half(hn::Add(p.b, q.b)), apart = half(hn::Abs(hn::Sub(p.b, q.b)));
+        const Vector reachOfP = hn::Add(p.e, apart), reachOfQ = hn::Add(q.e, apart);
         const Vector high = hn::Max(hn::Add(p.a, reachOfP), hn::Add(q.a, reachOfQ));
         const Vector low = hn::Min(hn::Sub(p.a, reachOfP), hn::Sub(q.a, reachOfQ));
         const Vector size =
@@ -479,13 +479,13 @@ class AffineAlgebra {
         const Mask convex = hn::Or(hn::Gt(c, one), hn::Lt(c, zero));
         // How much steeper or flatter the power is at an end than the chord.
         const Vector steepnessAt0 = hn::IfThenElse(convex, zero, constantVector(unlimited));
-        const auto turn = [&](Vector end, Vector value) HWY_ATTR {
+        const auto bend = [&](Vector end, Vector value) HWY_ATTR {
             const Vector steepness =
                 hn::IfThenElse(hn::Gt(end, zero), hn::Div(hn::Mul(c, value), end), steepnessAt0);
             const Vector size = hn::Add(hn::Abs(steepness), hn::Abs(slope));
             return hn::MulAdd(size, constantVector(inexact), hn::Abs(hn::Sub(steepness, slope)));
         };
-        const Vector atLow = turn(low, first), atHigh = turn(high, second);
+        const Vector atLow = bend(low, first), atHigh = bend(high, second);
         const Vector gap = hn::Mul(hn::Div(atHigh, hn::Add(one, hn::Div(atHigh, atLow))), width);
         const Vector ends[] = {hn::NegMulAdd(slope, low, first), hn::NegMulAdd(slope, high, second)};
         const Vector size = hn::MulAdd(hn::Abs(slope), high, most);
