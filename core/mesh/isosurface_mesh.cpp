@@ -129,7 +129,7 @@ class IsosurfaceMesher {
     /// split.
     std::vector<std::uint32_t> partedLeaves() const {
         std::vector<std::uint8_t> sheets(tree_.size(), 0), seen = unasked();
-        for (const std::uint32_t cell : surface_.cells) sheets[cell] = std::min(sheets[cell] + 1, 2);
+        for (const std::uint32_t cell : surface_.cells) sheets[cell] = sheets[cell] == 0 ? 1 : 2;
         std::vector<std::uint32_t> vertices;  // of leaves with several sheets, leaf by leaf
         for (std::uint32_t vertex = 0; vertex < surface_.vertexCount(); ++vertex)
             if (sheets[surface_.cells[vertex]] > 1) vertices.push_back(vertex);

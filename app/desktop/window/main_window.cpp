@@ -513,8 +513,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    const QMimeData* data = event->mimeData();
-    if (data->hasUrls() && data->urls().first().isLocalFile()) event->acceptProposedAction();
+    const QMimeData* dragged = event->mimeData();
+    if (dragged->hasUrls() && dragged->urls().first().isLocalFile()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {

@@ -72,9 +72,9 @@ void WindowChoices::connectActions() {
     on(actions.certified, [this] { chooseRootFinder(RootFinder::certified); });
     on(actions.povray, [this] { chooseRootFinder(RootFinder::lipschitz); });
     // Stored only when it was chosen; else pictures that come quickly get smooth edges by themselves.
-    on(actions.antialias, [this](bool on) {
-        QSettings().setValue(antialiasKey, on);
-        parts_.viewport->setAntialias(on);
+    on(actions.antialias, [this](bool wanted) {
+        QSettings().setValue(antialiasKey, wanted);
+        parts_.viewport->setAntialias(wanted);
     });
     connect(actions.showContainers, &QAction::triggered, &parts_.viewport->guides(),
             &SceneGuides::setContainersShown);
