@@ -280,7 +280,7 @@ class AttackTest : public QObject {
                   "isosurface { function { " +
                       noises + "-2000 } max_gradient 9000 accuracy 1e-6 }\n");
         writeFile(folder_.path(), "rays.csv",
-                  "ox,oy,oz,dx,dy,dz\n" + QByteArray("0.1,0.2,-5,0,0,1\n").repeated(5000));
+                  "ox,oy,oz,dx,dy,dz\n" + QByteArray("0.1,0.2,-5,0,0,1\n").repeated(200000));
         writeFile(folder_.path(), "lines.csv",
                   "case_id,function,threshold,container,ox,oy,oz,dx,dy,dz,lipschitz\n"
                   "a,\"" +

@@ -273,7 +273,7 @@ constexpr BuiltinFacts facts[] = {
      .formula = "section(P5, a, b) - P2, (a, b) = distance from (P3*cos(P1*y), P3*sin(P1*y)), turned by P1*y",
      .container = "box <-1,-2.9,-1> <1,2.9,1>",
      .maxGradient = 5.5,
-     .shown = {.container = "box <-1,-0.9,-1> <1,0.9,1>", .maxGradient = 16}},
+     .shown = {.container = "box <-1,-0.9,-1> <1,0.9,1>", .maxGradient = 8}},
     {.name = "f_hex_x",
      .id = 27,
      .parameters = {{"Not Used", 1, 0, 1}},
