@@ -224,10 +224,6 @@ bool isWaveAboveZero(const IntervalGradient& lift, const IntervalGradient& wave)
     return lift.isConstant() && lift.value.low >= 1 && wave.angleSteepness > 0;
 }
 
-}  // namespace
-
-namespace {
-
 /// a + shift: the slopes stay.
 IntervalGradient moved(const IntervalGradient& a, const Interval& shift) {
     IntervalGradient result = a;
