@@ -264,6 +264,32 @@ class PatternTest : public QObject {
         QCOMPARE(valueAt(patternFunction(pattern), 0.1, 0.2, 0), usual);
     }
 
+    /// Where orbits are coloured by constants from 0 to 1 nothing is folded back, and cases stay cases.
+    void unitColorsNeedNoModulus() {
+        const auto remainders = [](const Pattern& pattern) {
+            const Function function = patternFunction(pattern);
+            int count = 0;
+            for (NodeId node = 0; node < function.graph->size(); ++node)
+                count += (*function.graph)[node].operation == Operation::remainder;
+            return count;
+        };
+        Pattern pattern;
+        pattern.kind = PatternKind::mandel;
+        pattern.iterations = 5;
+        pattern.exterior = {1, 1};
+        QCOMPARE(remainders(pattern), 0);
+        QCOMPARE(valueAt(patternFunction(pattern), 0, 0, 0), 1);  // inside
+        pattern.interior = {0, 1.25};
+        QCOMPARE(remainders(pattern), 1);
+        QVERIFY(std::abs(valueAt(patternFunction(pattern), 0, 0, 0) - (1.25 - 1.00001)) < 1e-15);
+        pattern.interior = {0, 1};
+        pattern.exterior = {2, 1};
+        QCOMPARE(remainders(pattern), 1);
+        pattern.exterior = {1, 1};
+        pattern.frequency = 2;
+        QCOMPARE(remainders(pattern), 1);
+    }
+
     /// A bug once: with two thousand million iterations one point inside took ten seconds. Orbits close, and
     /// are as far along the turn in the end as one that is followed step by step.
     void closedOrbitsEndWhereLongOnesDo() {

@@ -48,21 +48,25 @@ class SearchAllowanceTest : public QObject {
     void proofsEarnEnclosures() {
         using Allowance = SearchAllowance;
         QVERIFY(!Allowance().isLimited());
-        Allowance allowance(10, 500);
+        int asked = 0;
+        const auto priceOf = [&](std::uint64_t values) {
+            return [&asked, values] { return ++asked, values; };
+        };
+        Allowance allowance(10, 500, priceOf(200));
         const std::uint64_t first = 500 + Allowance::ofList + 10 * Allowance::ofLine;
         QVERIFY(allowance.isLimited());
-        QVERIFY(allowance.has(first - 1) && !allowance.has(first));
+        QVERIFY(allowance.has(first - 1));
+        QCOMPARE(asked, 0);
+        QVERIFY(!allowance.has(first) && !allowance.has(first));
+        QCOMPARE(asked, 1);
         allowance.note(Verdict::certifiedMiss);
         QVERIFY(allowance.has(first + Allowance::ofProof - 1) && !allowance.has(first + Allowance::ofProof));
-        Allowance open(10, 500);
+        Allowance open(10, 500, priceOf(0));
         open.note(Verdict::budgetExceeded);
         QVERIFY(!open.has(first));
         open.note(Verdict::gap);
         QVERIFY(open.has(first + Allowance::ofGap - 1) && !open.has(first + Allowance::ofGap));
-        Allowance dear(10, 500);
-        dear.notePrice(200, 10);
-        QVERIFY(!dear.has(first));
-        dear.notePrice(1000, 10);
+        Allowance dear(10, 500, priceOf(1000));
         QVERIFY(dear.has(first + 1999) && !dear.has(first + 2000));
     }
 

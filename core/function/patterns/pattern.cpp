@@ -94,13 +94,21 @@ Expression rawValue(const PatternCall& call) {
     }
 }
 
-/// Kinds whose raw value is in [0, 1], where remainder and negative fix change nothing.
-bool staysInUnitRange(PatternKind kind) {
-    switch (kind) {
+/// Whether orbits are coloured by constants from 0 to 1 alone: by the share of the iterations, or a factor.
+bool hasUnitColors(const FractalColoring& exterior, const FractalColoring& interior) {
+    const auto isUnitFactor = [](const FractalColoring& coloring) {
+        return coloring.type == 0 && coloring.factor >= 0 && coloring.factor <= 1;
+    };
+    return (exterior.type == 1 || isUnitFactor(exterior)) && isUnitFactor(interior);
+}
+
+/// Whether a pattern's raw value is in [0, 1], where remainder and negative fix change nothing.
+bool staysInUnitRange(const Pattern& pattern) {
+    switch (pattern.kind) {
         case PatternKind::mandel:
         case PatternKind::julia:
         case PatternKind::magnetMandel:
-        case PatternKind::magnetJulia:
+        case PatternKind::magnetJulia: return hasUnitColors(pattern.exterior, pattern.interior);
         case PatternKind::function:
         case PatternKind::slope:
         case PatternKind::quilted:
@@ -131,7 +139,7 @@ Expression wrappedToUnit(const Pattern& pattern, Expression value) {
     const double frequency = singlePrecision(pattern.frequency.value_or(isDiscrete(pattern.kind) ? 0 : 1));
     const double phase = singlePrecision(pattern.phase.value_or(0));
     const bool unchanged = frequency == 1 && phase == 0;
-    if (staysInUnitRange(pattern.kind) && (unchanged || frequency == 0)) return value;
+    if (staysInUnitRange(pattern) && (unchanged || frequency == 0)) return value;
     if (!unchanged && frequency != 0) value = value * frequency + phase;
     if (frequency != 0) value = mod(value, value.number(1.00001));
     return select(value, value - floor(value), value);

@@ -46,11 +46,12 @@ class SlabSearch {
     /// enclosed.
     void noteStarts(CertainStarts& starts) const;
 
-    /// Searches these lines. done(line, search, end sign) is called as by GeneralSearchLanes::step;
+    /// Searches these lines, with enclosures from `allowance`. done(line, search, end sign) is called as by GeneralSearchLanes::step;
     /// missed(line, sign) for a line whose function is known to have one sign all along.
     template <class Done, class Missed>
     void run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, double sufficient,
-             const std::stop_token& stop, Done done, Missed missed) {
+             SearchAllowance allowance, const std::stop_token& stop, Done done, Missed missed) {
+        lanes_.allow(std::move(allowance));
         for (std::size_t tile = 0; tile < tilesAtOnce && !stop.stop_requested(); ++tile) {
             const CertainStart start = certainStart(tile);
             admit(tile, queries, wanted, sufficient, start, missed);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 
 #include "core/evaluate/prepared_function.h"
@@ -52,6 +53,7 @@ void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootReq
     isPicture_ = isPicture(queries.size(), request);
     prepare(queries);
     search(queries, request, roots);
+    searchByPovray(queries, request, roots);
     finish(queries, request, roots);
 }
 
@@ -65,6 +67,7 @@ void CertifiedRootFinder::prepare(std::span<const LineQuery> queries) {
     wanted_.resize(queries.size());
     for (std::size_t i = 0; i < queries.size(); ++i) wanted_[i] = isSearchable(queries[i]);
     pending_.clear();
+    unproven_.clear();
     starts_.reset(queries.size());
 }
 
@@ -99,7 +102,7 @@ void CertifiedRootFinder::searchSlabs(std::span<const LineQuery> queries, const 
         slabs_.noteStarts(starts_);
         addEntryWalls(queries, first, end, request, roots);
         slabs_.run(
-            queries, wanted_, request.sufficient, request.stop,
+            queries, wanted_, request.sufficient, allowanceOf(queries, first, end, request), request.stop,
             [&](std::size_t line, const GeneralSearch& search, double endSign) {
                 retire(line, search, endSign, roots);
             },
@@ -129,15 +132,8 @@ void CertifiedRootFinder::searchWhole(std::span<const LineQuery> queries, std::s
 /// From where they are certain on.
 void CertifiedRootFinder::searchLines(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                                       const RootRequest& request, std::span<RootList> roots) {
-    unproven_.clear();
-    std::size_t count = 0;
-    if (isPicture_) {
-        for (std::size_t i = first; i < end; ++i) count += wanted_[i] != 0;
-        lanes_.clear({count, forms_.evaluations()});
-    } else {
-        lanes_.clear();
-    }
-    bool priced = false;
+    lanes_.clear();
+    lanes_.allow(allowanceOf(queries, first, end, request));
     for (std::size_t next = first; (next < end || !lanes_.empty()) && !request.stop.stop_requested();) {
         for (; next < end && !lanes_.full(); ++next) {
             if (!wanted_[next]) continue;
@@ -148,16 +144,21 @@ void CertifiedRootFinder::searchLines(std::span<const LineQuery> queries, std::s
                 lanes_.add(next, queries[next], request.sufficient, start);
         }
         if (lanes_.empty()) continue;
-        if (SearchAllowance* const allowance = lanes_.allowance(); allowance && !priced && lanes_.isShort()) {
-            priced = true;
-            allowance->notePrice(priceByPovray(queries.subspan(first, end - first), request), count);
-        }
         lanes_.step(queries, nullptr, [&](std::size_t line, const GeneralSearch& search, double endSign) {
             retire(line, search, endSign, roots);
-            if (lanes_.allowance() && search.verdict() == Verdict::budgetExceeded) unproven_.push_back(line);
         });
     }
-    if (!unproven_.empty() && !request.stop.stop_requested()) searchByPovray(queries, request, roots);
+}
+
+/// What the lines [first, end) may take: without a limit unless they are of a picture.
+SearchAllowance CertifiedRootFinder::allowanceOf(std::span<const LineQuery> queries, std::size_t first,
+                                                 std::size_t end, const RootRequest& request) {
+    if (!isPicture_) return {};
+    const auto wanted = std::span(wanted_).subspan(first, end - first);
+    const auto lines = static_cast<std::size_t>(std::ranges::count_if(wanted, std::identity()));
+    return {lines, forms_.evaluations(), [this, part = queries.subspan(first, end - first), &request] {
+                return priceByPovray(part, request);
+            }};
 }
 
 LipschitzRootFinder& CertifiedRootFinder::povray() {
@@ -184,6 +185,7 @@ std::uint64_t CertifiedRootFinder::priceByPovray(std::span<const LineQuery> quer
 /// What POV-Ray shows of the lines of which too little can be proven.
 void CertifiedRootFinder::searchByPovray(std::span<const LineQuery> queries, const RootRequest& request,
                                          std::span<RootList> roots) {
+    if (unproven_.empty() || request.stop.stop_requested()) return;
     std::vector<LineQuery> lines;
     for (const std::size_t line : unproven_) lines.push_back(queries[line]);
     std::vector<RootList> found(lines.size());
@@ -210,8 +212,7 @@ void CertifiedRootFinder::retire(std::size_t line, const GeneralSearch& search, 
     verdicts_[line] = search.verdict();
     exhausted_ += search.verdict() == Verdict::budgetExceeded;
     noteEnd(line, endSign);
-    if (lanes_.allowance() && search.verdict() == Verdict::budgetExceeded)
-        return;  // left to POV-Ray's method
+    if (isPicture_ && search.verdict() == Verdict::budgetExceeded) return unproven_.push_back(line);
     for (const BracketedRoot& found : search.roots()) {
         if (found.refinable)
             pending_.push_back(
@@ -403,6 +404,7 @@ void CertifiedRootFinder::findRest(const LineColumns& lines, std::span<const Mar
     for (std::size_t k = 0; k < searched.size(); ++k) starts_.set(k, 1, searched[k].start);
     addEntryWalls(rest_.queries, 0, searched.size(), request, lists);
     searchLines(rest_.queries, 0, searched.size(), request, lists);
+    searchByPovray(rest_.queries, request, lists);
     for (std::size_t k = searched.size(); k < lists.size(); ++k) {
         const NewtonPolish::Unsettled& crossing = unsettled[k - searched.size()];
         lists[k].push_back({crossing.low + (crossing.high - crossing.low) / 2, RootKind::crossing});

@@ -109,6 +109,8 @@ class CertifiedRootFinder : public LineRootFinder {
                      const RootRequest& request, std::span<RootList> roots);
     void searchLines(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                      const RootRequest& request, std::span<RootList> roots);
+    SearchAllowance allowanceOf(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
+                                const RootRequest& request);
     LipschitzRootFinder& povray();
     std::uint64_t priceByPovray(std::span<const LineQuery> queries, const RootRequest& request);
     void searchByPovray(std::span<const LineQuery> queries, const RootRequest& request,

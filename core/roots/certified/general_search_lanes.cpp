@@ -37,7 +37,7 @@ void GeneralSearchLanes::limitTo(double end) {
 }
 
 /// Lanes at the end of their portion get another one, as long as there is any and their budget is not spent.
-void GeneralSearchLanes::allow() {
+void GeneralSearchLanes::takePortions() {
     if (!allowance_.has(tools_.forms.evaluations())) return;
     for (std::size_t lane = 0; lane < active_; ++lane) {
         double& budget = lanes_.budget[lane];

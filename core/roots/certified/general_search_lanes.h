@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 
 #include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/point_evaluator.h"
@@ -29,17 +30,14 @@ class GeneralSearchLanes {
   public:
     explicit GeneralSearchLanes(const SearchTools& tools) : tools_(tools) {}
 
-    /// Drops all searches, without telling of them. What follows takes its enclosures from `allowance`; a
-    /// line that gets no more, or has spent its budget, ends there without being sampled.
-    void clear(const SearchAllowance& allowance = {}) {
+    /// Drops all searches, without telling of them.
+    void clear() {
         active_ = alive_ = 0;
         caseMarch_.reset();
-        allowance_ = allowance;
     }
-    /// Null without a limit.
-    SearchAllowance* allowance() { return allowance_.isLimited() ? &allowance_ : nullptr; }
-    /// Whether the enclosures of the allowance are used up.
-    bool isShort() const { return !allowance_.has(tools_.forms.evaluations()); }
+    /// From now on enclosures are taken from `allowance`: a line that gets no more, or has spent its budget,
+    /// ends there, without being sampled where it is limited.
+    void allow(SearchAllowance allowance) { allowance_ = std::move(allowance); }
     /// GeneralSearch::listPoles() for all searches.
     void listPoles() {
         for (GeneralSearch& search : searches_) search.listPoles();
@@ -75,7 +73,7 @@ class GeneralSearchLanes {
     /// of.
     template <class Done>
     void step(std::span<const LineQuery> queries, const SimplifiedTape* simplifiedTape, Done done) {
-        if (allowance_.isLimited()) allow();
+        if (allowance_.isLimited()) takePortions();
         if (!march(simplifiedTape)) return;
         for (std::size_t lane = active_; lane-- > 0;) {
             if (events_[lane] == MarchEvent::none) continue;
@@ -93,7 +91,7 @@ class GeneralSearchLanes {
 
   private:
     GeneralSearch::Lane at(std::size_t lane) { return {pieces_, lanes_, lane}; }
-    void allow();
+    void takePortions();
     bool march(const SimplifiedTape* simplifiedTape);
     void noteMarch(const AffineLanes& forms, std::span<const std::uint8_t> byCases);
     void handle(std::size_t lane, const LineQuery& query);

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <utility>
 
 #include "core/roots/verdict.h"
 
@@ -22,21 +24,23 @@ class SearchAllowance {
 
     /// No limit: each line has its budget.
     SearchAllowance() = default;
-    /// For a list of `lines`, when `spent` enclosures have been taken before.
-    SearchAllowance(std::size_t lines, std::uint64_t spent)
-        : end_(spent + ofList + ofLine * lines), isLimited_(true) {}
-
-    /// Once it is known that a line takes so many values by POV-Ray's method, for `lines` of them: where that
-    /// is dear, enclosures may be, too.
-    void notePrice(std::uint64_t values, std::size_t lines) {
-        constexpr std::uint64_t valuesOfEnclosure = 4, cheap = 200;
-        if (values > cheap) end_ += (values - cheap) / valuesOfEnclosure * lines;
-    }
+    /// For a list of `lines`, when `spent` enclosures have been taken before. `price` tells about how many
+    /// values a line takes by POV-Ray's method: where that is dear, enclosures may be, too. It is asked once,
+    /// when the others are used up.
+    SearchAllowance(std::size_t lines, std::uint64_t spent, std::function<std::uint64_t()> price)
+        : lines_(lines), end_(spent + ofList + ofLine * lines), price_(std::move(price)), isLimited_(true) {}
 
     /// False by default alone.
     bool isLimited() const { return isLimited_; }
     /// Whether another portion is left when `spent` enclosures have been taken.
-    bool has(std::uint64_t spent) const { return spent < end_; }
+    bool has(std::uint64_t spent) {
+        if (spent >= end_ && price_) {
+            constexpr std::uint64_t valuesOfEnclosure = 4, cheap = 200;
+            const std::uint64_t values = std::exchange(price_, nullptr)();
+            if (values > cheap) end_ += (values - cheap) / valuesOfEnclosure * lines_;
+        }
+        return spent < end_;
+    }
     /// A line has ended with this verdict.
     void note(Verdict verdict) {
         if (verdict <= Verdict::certifiedMiss) end_ += ofProof;
@@ -44,7 +48,9 @@ class SearchAllowance {
     }
 
   private:
+    std::size_t lines_ = 0;
     std::uint64_t end_ = 0;
+    std::function<std::uint64_t()> price_;
     bool isLimited_ = false;
 };
 
