@@ -200,11 +200,8 @@ AffineLanes AffineEvaluator::evaluateChoices(const RayPieces& pieces, std::size_
         // The operands are in their slots only until later instructions use them anew.
         runAffineInstructions(workspace_, instructions.subspan(begun, i - begun), count);
         begun = i;
-        const SignDependence dependence =
-            signs != nullptr ? signs->dependences[choices.size()] : SignDependence::value;
-        const double compared = static_cast<double>(dependence) * (signs != nullptr ? signs->threshold : 0);
         choices.push_back(
-            decide(instructions[i], count, dependence != SignDependence::value ? &compared : nullptr));
+            decide(instructions[i], count, signs != nullptr ? signs->of(choices.size()) : nullptr));
     }
     runAffineInstructions(workspace_, instructions.subspan(begun), count);
     return lanesOf(simplifiedTape != nullptr ? simplifiedTape->result : tape_->results()[0]);
@@ -223,7 +220,7 @@ AffineLanes AffineEvaluator::lanesOf(Slot slot) {
 }
 
 LaneChoices AffineEvaluator::decide(const Instruction& instruction, std::size_t count,
-                                    const double* compared) const {
+                                    const SignLevel* level) const {
     const bool twoSided =
         instruction.operation == Operation::minimum || instruction.operation == Operation::maximum;
     const auto operand = [&](std::size_t k) {
@@ -236,13 +233,13 @@ LaneChoices AffineEvaluator::decide(const Instruction& instruction, std::size_t 
     const bool takesLower =
         instruction.operation != Operation::maximum && instruction.operation != Operation::absolute;
     LaneChoices choices =
-        decideAffineChoices(operand(0), second, takesLower, twoSided ? compared : nullptr, count);
-    if (compared == nullptr || !isSelect(instruction.operation)) return choices;
+        decideAffineChoices(operand(0), second, takesLower, twoSided ? level : nullptr, count);
+    if (level == nullptr || !isSelect(instruction.operation)) return choices;
     // Where all operands that may be taken are on one side, the sign is the same whichever is; a constant is
     // the cheaper one to be left.
     std::uint64_t above = ~std::uint64_t(0), below = above;
     for (std::size_t k = 1; k < instruction.operandCount; ++k) {
-        const LanesBeyond beyond = lanesBeyond(operand(k), *compared, count);
+        const LanesBeyond beyond = lanesBeyond(operand(k), *level, count);
         above &= beyond.above, below &= beyond.below;
     }
     const std::uint64_t alike = above | below;

@@ -126,7 +126,7 @@ class AffineEvaluator {
     AffineLanes runApproximation(std::size_t number, const PieceColumns& pieces, std::size_t count,
                                  const RaySpread* spread);
     AffineLanes lanesOf(Slot slot);
-    LaneChoices decide(const Instruction& instruction, std::size_t count, const double* compared) const;
+    LaneChoices decide(const Instruction& instruction, std::size_t count, const SignLevel* level) const;
 
     std::shared_ptr<const PreparedFunction> function_;
     std::shared_ptr<const GlobalSimplification> global_;

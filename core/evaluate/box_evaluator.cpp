@@ -67,10 +67,7 @@ void BoxEvaluator::evaluateChoices(const BoxLanes& boxes, const SimplifiedTape& 
             // The operands are in their slots only until later instructions use them anew.
             runIntervalInstructions(workspace_, instructions.subspan(begun, i - begun), out.size());
             begun = i;
-            const SignDependence dependence = signs.dependences[choices.size()];
-            const double compared = static_cast<double>(dependence) * signs.threshold;
-            choices.push_back(decide(instructions[i], out.size(),
-                                     dependence != SignDependence::value ? &compared : nullptr));
+            choices.push_back(decide(instructions[i], out.size(), signs.of(choices.size())));
         }
         runIntervalInstructions(workspace_, instructions.subspan(begun), out.size());
     }
@@ -80,7 +77,7 @@ void BoxEvaluator::evaluateChoices(const BoxLanes& boxes, const SimplifiedTape& 
 
 /// As decideAffineChoices() does it for forms; what is empty or not defined everywhere decides nothing.
 LaneChoices BoxEvaluator::decide(const Instruction& instruction, std::size_t count,
-                                 const double* compared) const {
+                                 const SignLevel* level) const {
     const bool twoSided =
         instruction.operation == Operation::minimum || instruction.operation == Operation::maximum;
     const bool takesLower =
@@ -98,6 +95,8 @@ LaneChoices BoxEvaluator::decide(const Instruction& instruction, std::size_t cou
             return high + roundings * (std::abs(high) + std::abs(other.low)) < other.low;
         }
     };
+    const Range number =
+        level == nullptr ? Range{} : Range{level->value - level->reach, level->value + level->reach, true};
     const auto operand = [&](std::size_t k, std::size_t lane) -> Range {
         const Slot slot = instruction.operands[k];
         if (workspace_.isUniform(slot)) {
@@ -110,9 +109,8 @@ LaneChoices BoxEvaluator::decide(const Instruction& instruction, std::size_t cou
     };
     LaneChoices choices;
     for (std::size_t lane = 0; lane < count; ++lane) {
-        if (compared != nullptr && isSelect(instruction.operation)) {
+        if (level != nullptr && isSelect(instruction.operation)) {
             const auto allBeyond = [&](bool above) {
-                const Range number{*compared, *compared, true};
                 for (std::size_t k = 1; k < instruction.operandCount; ++k) {
                     const Range side = operand(k, lane);
                     if (!side.sure || !(above ? number.below(side) : side.below(number))) return false;
@@ -131,9 +129,8 @@ LaneChoices BoxEvaluator::decide(const Instruction& instruction, std::size_t cou
         if (!p.sure || !q.sure) continue;
         bool first = takesLower ? p.below(q) : q.below(p);
         bool second = takesLower ? q.below(p) : p.below(q);
-        if (compared != nullptr && twoSided && !first && !second) {
-            // What is above the number is above it, whichever operand of min is left to say so.
-            const Range number{*compared, *compared, true};
+        if (level != nullptr && twoSided && !first && !second) {
+            // What is above the level is above it, whichever operand of min is left to say so.
             second = takesLower ? number.below(p) : p.below(number);
             first = !second && (takesLower ? number.below(q) : q.below(number));
         }

@@ -39,8 +39,8 @@ class BoxEvaluator {
     void evaluate(const BoxLanes& boxes, const SimplifiedTape& tape, std::span<Interval> out);
 
     /// As the second, and notes which choices are decided in each box: choices[k] for the k-th choosing
-    /// instruction of the tape. Where only the sign of the result minus signs.threshold counts, what cannot
-    /// change it counts as not chosen.
+    /// instruction of the tape. What cannot change the sign that `signs` is
+    /// about counts as not chosen.
     void evaluateChoices(const BoxLanes& boxes, const SimplifiedTape& tape, const SignStakes& signs,
                          std::span<Interval> out, std::vector<LaneChoices>& choices);
 
@@ -55,7 +55,7 @@ class BoxEvaluator {
     void placeArguments(const BoxLanes& boxes, std::size_t count);
     void run(const BoxLanes& boxes, std::span<const Instruction> instructions, Slot result,
              std::span<Interval> out);
-    LaneChoices decide(const Instruction& instruction, std::size_t count, const double* compared) const;
+    LaneChoices decide(const Instruction& instruction, std::size_t count, const SignLevel* level) const;
     void read(Slot result, std::span<Interval> out) const;
 
     std::shared_ptr<const PreparedFunction> function_;

@@ -113,30 +113,57 @@ class TapeSimplifierTest : public QObject {
     }
 
     void signsAreAtStakeInUnionsAndDifferences() {
-        const auto stakesOf = [](const std::shared_ptr<const Tape>& tape) {
+        constexpr double threshold = 0.75;
+        constexpr double none = 1e9;
+        const auto levelsOf = [&](const std::shared_ptr<const Tape>& tape) {
             const TapeLinks links(*tape);
-            const TapeSimplifier simplifier(links);
-            return std::vector<SignDependence>(simplifier.dependences().begin(),
-                                               simplifier.dependences().end());
+            const std::vector<SignLevel> levels = links.levels(UniformValues(*tape, {}), threshold);
+            const SignStakes stakes{levels, links.whole().levelNumbers};
+            std::vector<double> values;
+            for (std::size_t k = 0; k < stakes.levelNumbers.size(); ++k)
+                values.push_back(stakes.of(k) == nullptr ? none : stakes.of(k)->value);
+            return values;
         };
+        using Levels = std::vector<double>;
         // Inner choices come first.
-        QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto z) { return max(min(x, y), z); })),
-                 (std::vector{SignDependence::sign, SignDependence::sign}));
-        QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto z) { return max(z, -min(x, y)); })),
-                 (std::vector{SignDependence::oppositeSign, SignDependence::sign}));
-        QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto z) { return min(z, sin(min(x, y))); })),
-                 (std::vector{SignDependence::value, SignDependence::sign}));
-        QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto) { return min(x, y) + 1; })),
-                 std::vector{SignDependence::value});
+        QCOMPARE(levelsOf(tapeOf([](auto x, auto y, auto z) { return max(min(x, y), z); })),
+                 (Levels{threshold, threshold}));
+        QCOMPARE(levelsOf(tapeOf([](auto x, auto y, auto z) { return max(z, -min(x, y)); })),
+                 (Levels{-threshold, threshold}));
+        QCOMPARE(levelsOf(tapeOf([](auto x, auto y, auto z) { return min(z, sin(min(x, y))); })),
+                 (Levels{none, threshold}));
+        QCOMPARE(levelsOf(tapeOf([](auto x, auto y, auto) { return min(x, y) + 1; })), Levels{threshold - 1});
+        QCOMPARE(levelsOf(tapeOf([](auto x, auto y, auto) { return 2 - min(x, y) / 4; })),
+                 Levels{4 * (2 - threshold)});
+        QCOMPARE(levelsOf(tapeOf([](auto x, auto y, auto z) { return max(z, -8 * min(x, y) - 1); })),
+                 (Levels{-(threshold + 1) / 8, threshold}));
+        // By what is no number the sign can change.
+        QCOMPARE(levelsOf(tapeOf([](auto x, auto y, auto z) { return min(x, y) + z; })), Levels{none});
+        QCOMPARE(levelsOf(tapeOf([](auto x, auto y, auto) { return 2 / min(x, y); })), Levels{none});
         // Of what is used twice, the other user may need the value.
-        QCOMPARE(stakesOf(tapeOf([](auto x, auto y, auto z) {
+        QCOMPARE(levelsOf(tapeOf([](auto x, auto y, auto z) {
                      const auto both = min(x, y);
                      return max(both, z * both);
                  })),
-                 (std::vector{SignDependence::value, SignDependence::sign}));
+                 (Levels{none, threshold}));
     }
 
-    /// With dependences, tapes keep the sign of the whole on the piece, and less than half is left of them.
+    /// Levels reach as far as roundings may move them; behind a factor of 0 nothing is beyond them.
+    void levelsKnowTheirRoundings() {
+        const auto tape = tapeOf([](auto x, auto y, auto) { return (min(x, y) - 1e6) * 3; });
+        const auto levels = TapeLinks(*tape).levels(UniformValues(*tape, {}), -3e6);
+        QVERIFY(std::abs(levels.back().value) <= levels.back().reach);
+        QVERIFY(levels.back().reach > 1e-10 && levels.back().reach < 1e-8);
+        const auto scaled = tapeOf(
+            [](auto x, auto y, auto) { return min(x, y) * Expression(x.graph(), x.graph().parameter(0)); });
+        const TapeLinks links(*scaled);
+        const double zero = 0, three = 3;
+        QCOMPARE(links.levels(UniformValues(*scaled, {&zero, 1}), 1).back().reach,
+                 std::numeric_limits<double>::infinity());
+        QCOMPARE(links.levels(UniformValues(*scaled, {&three, 1}), 1).back().value, 1.0 / 3);
+    }
+
+    /// With levels, tapes keep the sign of the whole on the piece, and less than half is left of what can go.
     void shortenedTapesKeepTheSign() {
         std::mt19937_64 random(seed + 4);
         std::uniform_real_distribution<double> place(-1.5, 1.5), part(0, 1), threshold(-0.02, 0.05);
@@ -146,7 +173,14 @@ class TapeSimplifierTest : public QObject {
                 result = min(result, sq(x - std::cos(k)) + sq(y - std::sin(k)) + sq(z - k * 0.1) - 0.04);
             return max(sq(x) + sq(y) - 1, -result);
         });
-        for (const auto& tape : {unionOfBalls(30), holes}) {
+        const auto scaled = tapeOf([](auto x, auto y, auto z) {
+            Expression result = x.number(10);
+            for (int k = 0; k < 30; ++k)
+                result =
+                    min(result, 0.7 - (0.71 - sq(x - std::cos(k)) - sq(y - std::sin(k)) - sq(z - k * 0.1)));
+            return (3 - (result * -2 + 5.1)) / 2.1 + 1;
+        });
+        for (const auto& tape : {unionOfBalls(30), holes, scaled}) {
             AffineEvaluator evaluator(tape, {});
             PointEvaluator points(tape, {});
             const TapeLinks links(*tape);
@@ -155,7 +189,9 @@ class TapeSimplifierTest : public QObject {
             std::vector<LaneChoices> choices;
             std::size_t bySign = 0, byValue = 0, inside = 0;
             for (int round = 0; round < 2000; ++round) {
-                const SignStakes signs{threshold(random), simplifier.dependences()};
+                const double level = threshold(random);
+                const std::vector<SignLevel> levels = links.levels(UniformValues(*tape, {}), level);
+                const SignStakes signs{levels, simplifier.levelNumbers()};
                 const double y = place(random), z = place(random), start = 3 + place(random), length = 0.5;
                 const RayPieces pieces = alongX(y, z, start, length);
                 evaluator.evaluateChoices(pieces, 1, nullptr, choices);
@@ -168,13 +204,14 @@ class TapeSimplifierTest : public QObject {
                     const double x = -3 + start + length * part(random);
                     double value = 0;
                     points.evaluate({&x, 1}, {&y, 1}, {&z, 1}, {&value, 1}, simplifiedTape);
-                    const bool wanted = points.evaluate(x, y, z) < signs.threshold;
-                    QCOMPARE(value < signs.threshold, wanted);
+                    const bool wanted = points.evaluate(x, y, z) < level;
+                    QCOMPARE(value < level, wanted);
                     inside += wanted;
                 }
             }
             qInfo("instructions left: %zu, by their values %zu; %zu points inside", bySign, byValue, inside);
-            QVERIFY(2 * bySign < byValue);
+            const std::size_t always = 2000 * links.leastLength();
+            QVERIFY(2 * (bySign - always) < byValue - always);
             QVERIFY(inside > 100);
         }
     }
@@ -196,7 +233,8 @@ class TapeSimplifierTest : public QObject {
         const TapeLinks links(*cases);
         TapeSimplifier simplifier(links);
         QCOMPARE(simplifier.choiceCount(), std::size_t(count));
-        const SignStakes signs{-threshold, simplifier.dependences()};
+        const std::vector<SignLevel> levels = links.levels(UniformValues(*cases, {}), -threshold);
+        const SignStakes signs{levels, simplifier.levelNumbers()};
         AffineEvaluator forms(cases, {});
         BoxEvaluator boxes(cases, {});
         PointEvaluator points(cases, {});
@@ -213,7 +251,7 @@ class TapeSimplifierTest : public QObject {
             SimplifiedTape left;
             simplifier.simplify(choices, 1, 0, left);
             // Those up to the first case beyond the threshold.
-            QCOMPARE(left.dependences.size(), std::size_t(count / 2));
+            QCOMPARE(left.levelNumbers.size(), std::size_t(count / 2));
             int inside = 0;
             for (int round = 0; round < 1000; ++round) {
                 const double x = place(random), y = isBox ? place(random) : 0, z = isBox ? place(random) : 0;
@@ -285,7 +323,7 @@ class TapeSimplifierTest : public QObject {
                     arguments.push_back(x.number(parameter.defaultValue));
                 return buildBuiltin(builtin, arguments, 2);
             });
-            if (TapeLinks(*tape).whole().dependences.empty()) continue;
+            if (TapeLinks(*tape).whole().levelNumbers.empty()) continue;
             AffineEvaluator evaluator(tape, {});
             PointEvaluator points(tape, {});
             const TapeLinks links(*tape);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/evaluate/prepared_function.h"
+#include "core/function/patterns/pattern.h"
 #include "tests/roots/line_table.h"
 #include "tests/support/tape_of.h"
 
@@ -87,6 +88,29 @@ class CellMarchTest : public QObject {
         QCOMPARE(March(rowOfBalls()).run(ahead(0.001)), CellMarch::Outcome::done);
         const std::vector<LineQuery> none(64, {{0, 0, -4}, {0, 0, 1}, 6, 2});
         QCOMPARE(March(rowOfBalls()).run(none), CellMarch::Outcome::nothingAsked);
+    }
+
+    /// A bug once: at the edge of a fractal each tile made short tapes by the thousand, 46 s for a picture of
+    /// a magnet that takes 8 s without cells.
+    void cellsThatCostTooMuchAreLeft() {
+        const auto magnet = tapeOf([](auto x, auto y, auto z) {
+            Pattern pattern;
+            pattern.kind = PatternKind::magnetJulia;
+            pattern.juliaPoint = {0.3, 0.3};
+            pattern.iterations = 30;
+            pattern.exterior = {1, 1};
+            return buildPattern(pattern, x, y, z, 2) - 0.3;
+        });
+        std::vector<LineQuery> lines = ahead(0.01);
+        for (LineQuery& line : lines) {
+            line.direction =
+                glm::normalize(glm::dvec3(0.1 + 0.4 * line.origin.x, 0.05 + 0.2 * line.origin.y, 1));
+            line.origin.x -= 0.5;
+        }
+        March march(magnet);
+        QCOMPARE(march.run(lines), CellMarch::Outcome::vain);
+        qInfo("%llu enclosures", static_cast<unsigned long long>(march.evaluations));
+        QVERIFY(march.evaluations > 0);
     }
 
     void rowsOfBallsAreMet() {

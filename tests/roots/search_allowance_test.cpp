@@ -59,6 +59,8 @@ class SearchAllowanceTest : public QObject {
         QCOMPARE(asked, 0);
         QVERIFY(!allowance.has(first) && !allowance.has(first));
         QCOMPARE(asked, 1);
+        QCOMPARE(allowance.firstPortion(first - 1), Allowance::portion);
+        QCOMPARE(allowance.firstPortion(first), Allowance::leastPortion);
         allowance.note(Verdict::certifiedMiss);
         QVERIFY(allowance.has(first + Allowance::ofProof - 1) && !allowance.has(first + Allowance::ofProof));
         Allowance open(10, 500, priceOf(0));

@@ -35,6 +35,10 @@ HWY_INLINE Form loadForm(const AffineOperand& operand, std::size_t i) {
     return {load(0), load(1), load(2)};
 }
 
+HWY_INLINE Form formOf(const SignLevel& level) {
+    return {constant(level.value), hn::Zero(Doubles()), constant(level.reach)};
+}
+
 HWY_INLINE Mask isKnown(const Form& p) {
     return hn::Lt(hn::Abs(p.e), constant(std::numeric_limits<double>::infinity()));
 }
@@ -64,16 +68,16 @@ HWY_INLINE std::uint64_t bitsOf(Mask mask) {
 }
 
 void decideAll(const AffineOperand& first, const AffineOperand& second, bool takesLower,
-               const double* compared, std::size_t count, LaneChoices& choices) {
+               const SignLevel* level, std::size_t count, LaneChoices& choices) {
     static_assert(hn::MaxLanes(Doubles()) <= 8);
     for (std::size_t i = 0; i < count; i += hn::Lanes(Doubles())) {
         const Form p = loadForm(first, i), q = loadForm(second, i);
         const Order order = certainOrder(p, q);
         Mask takesFirst = takesLower ? order.below : order.above;
         Mask takesSecond = takesLower ? order.above : order.below;
-        if (compared != nullptr) {
-            // What is above the number is above it, whichever operand of min is left to say so.
-            const Form number{constant(*compared), hn::Zero(Doubles()), hn::Zero(Doubles())};
+        if (level != nullptr) {
+            // What is above the level is above it, whichever operand of min is left to say so.
+            const Form number = formOf(*level);
             const Order ofFirst = certainOrder(p, number), ofSecond = certainOrder(q, number);
             const Mask known = hn::And(isKnown(p), isKnown(q));
             const Mask leavesFirst = hn::And(known, takesLower ? ofFirst.above : ofFirst.below);
@@ -86,8 +90,8 @@ void decideAll(const AffineOperand& first, const AffineOperand& second, bool tak
     }
 }
 
-void compareAll(const AffineOperand& form, double number, std::size_t count, LanesBeyond& beyond) {
-    const Form other{constant(number), hn::Zero(Doubles()), hn::Zero(Doubles())};
+void compareAll(const AffineOperand& form, const SignLevel& level, std::size_t count, LanesBeyond& beyond) {
+    const Form other = formOf(level);
     for (std::size_t i = 0; i < count; i += hn::Lanes(Doubles())) {
         const Order order = certainOrder(loadForm(form, i), other);
         beyond.above |= bitsOf(order.above) << i;
@@ -115,16 +119,16 @@ std::uint64_t firstLanes(std::size_t count) {
 }  // namespace
 
 LaneChoices decideAffineChoices(const AffineOperand& first, const AffineOperand& second, bool takesLower,
-                                const double* compared, std::size_t count) {
+                                const SignLevel* level, std::size_t count) {
     LaneChoices choices;
-    HWY_DYNAMIC_DISPATCH(decideAll)(first, second, takesLower, compared, count, choices);
+    HWY_DYNAMIC_DISPATCH(decideAll)(first, second, takesLower, level, count, choices);
     choices.first &= firstLanes(count), choices.second &= firstLanes(count);
     return choices;
 }
 
-LanesBeyond lanesBeyond(const AffineOperand& form, double number, std::size_t count) {
+LanesBeyond lanesBeyond(const AffineOperand& form, const SignLevel& level, std::size_t count) {
     LanesBeyond beyond;
-    HWY_DYNAMIC_DISPATCH(compareAll)(form, number, count, beyond);
+    HWY_DYNAMIC_DISPATCH(compareAll)(form, level, count, beyond);
     beyond.above &= firstLanes(count), beyond.below &= firstLanes(count);
     return beyond;
 }

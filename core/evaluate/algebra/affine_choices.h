@@ -17,17 +17,17 @@ struct AffineOperand {
 };
 
 /// Which of two forms is the lower one all along (the higher one unless `takesLower`), in the first `count`
-/// lanes; open where that is not certain. With `compared`, only the sign of what is taken minus *compared
+/// lanes; open where that is not certain. With `level`, only the sign of what is taken minus *level
 /// counts: an operand that is certain to leave that to the other one is not taken.
 LaneChoices decideAffineChoices(const AffineOperand& first, const AffineOperand& second, bool takesLower,
-                                const double* compared, std::size_t count);
+                                const SignLevel* level, std::size_t count);
 
-/// The lanes (a bit for each) in which a form is certain to be above a number all along, and those in which
+/// The lanes (a bit for each) in which a form is certain to be above a level all along, and those in which
 /// it is certain to be below.
 struct LanesBeyond {
     std::uint64_t above = 0, below = 0;
 };
 /// Those of the first `count` lanes.
-LanesBeyond lanesBeyond(const AffineOperand& form, double number, std::size_t count);
+LanesBeyond lanesBeyond(const AffineOperand& form, const SignLevel& level, std::size_t count);
 
 }  // namespace isoscope

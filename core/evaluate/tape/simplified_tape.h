@@ -46,16 +46,24 @@ struct LaneChoices {
     }
 };
 
-/// What of the value v of a choosing instruction the tape's result f depends on, as far as only the sign of
-/// f - threshold counts: on all of v, on the sign of v - threshold alone, or on that of -v - threshold alone.
-/// So it is for the operations of a union, an intersection or a difference, and for cases of cases.
-enum class SignDependence : std::int8_t { value = 0, sign = 1, oppositeSign = -1 };
+/// A number between value - reach and value + reach.
+struct SignLevel {
+    double value = 0;
+    double reach = 0;
+};
 
-/// What an evaluation is for when only the sign of f - threshold matters: the threshold, and what of each
-/// choosing instruction that sign depends on (TapeSimplifier::dependences).
+/// What an evaluation is for when only the sign of the result minus a threshold matters. For a choosing
+/// instruction of a union, an intersection or a difference, and for cases of cases, that sign depends on the
+/// value v of the instruction by the sign of v - level alone; a level is the threshold, or what it comes to
+/// behind negations and numbers that are added or multiplied by.
 struct SignStakes {
-    double threshold = 0;
-    std::span<const SignDependence> dependences;
+    std::span<const SignLevel> levels;            ///< TapeLinks::levels()
+    std::span<const std::uint32_t> levelNumbers;  ///< TapeSimplifier::levelNumbers()
+
+    /// The level of the k-th choosing instruction; null where all of its value counts.
+    const SignLevel* of(std::size_t k) const {
+        return levelNumbers.empty() || levelNumbers[k] == 0 ? nullptr : &levels[levelNumbers[k]];
+    }
 };
 
 /// What a tape comes to where some of its choices are decided: fewer instructions on the slots of the tape's
@@ -75,7 +83,8 @@ struct SimplifiedTape {
     };
     std::vector<Link> links;
     Value resultValue = fixed;
-    std::vector<SignDependence> dependences;  ///< of the choosing instructions
+    /// Of the choosing instructions, as numbers of TapeLinks::levels(); 0 where all of a value counts.
+    std::vector<std::uint32_t> levelNumbers;
 };
 
 }  // namespace isoscope

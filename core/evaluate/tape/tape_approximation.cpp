@@ -196,7 +196,7 @@ class TapeApproximator {
                                   ? Choice::first
                                   : Choice::open);
         }
-        rest.dependences.assign(choices.size(), SignDependence::value);
+        rest.levelNumbers.assign(choices.size(), 0);
         simplifier_.setBase(&rest);
         simplifier_.simplify(choices, 0, into);
         simplifier_.setBase(nullptr);

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluate/tape/tape_links.h"
 
+#include <cmath>
+#include <limits>
+
 namespace isoscope {
 
 namespace {
 
 using Value = SimplifiedTape::Value;
 
-SignDependence opposite(SignDependence dependence) {
-    return static_cast<SignDependence>(-static_cast<int>(dependence));
-}
-
 }  // namespace
 
 TapeLinks::TapeLinks(const Tape& tape) : tape_(tape) {
     linkWhole();
-    findStakes();
+    findLevels();
     leastLength_ = countLeast();
 }
 
@@ -31,8 +30,8 @@ void TapeLinks::linkWhole() {
             link.operands[k] = current[instruction.operands[k]];
         current[instruction.target] = i;
         if (!tape_.loops().empty() || !isChoice(instruction.operation)) continue;
-        link.choice = static_cast<std::uint32_t>(whole_.dependences.size());
-        whole_.dependences.push_back(SignDependence::value);
+        link.choice = static_cast<std::uint32_t>(whole_.levelNumbers.size());
+        whole_.levelNumbers.push_back(0);
     }
     for (const Slot slot : tape_.results()) results_.push_back(current[slot]);
     whole_.result = tape_.results()[0];
@@ -57,7 +56,7 @@ std::size_t TapeLinks::countLeast() const {
 }
 
 /// From the result backwards, along values that are used but once: another user might need all of them.
-void TapeLinks::findStakes() {
+void TapeLinks::findLevels() {
     std::vector<int> uses(whole_.links.size());
     const auto use = [&](Value value) {
         if (!SimplifiedTape::isFixed(value)) ++uses[value];
@@ -66,23 +65,82 @@ void TapeLinks::findStakes() {
     for (std::size_t i = 0; i < whole_.links.size(); ++i)
         for (std::size_t k = 0; k < whole_.instructions[i].operandCount; ++k)
             use(whole_.links[i].operands[k]);
-    std::vector<SignDependence> dependences(whole_.links.size(), SignDependence::value);
-    const auto put = [&](Value value, SignDependence dependence) {
-        if (!SimplifiedTape::isFixed(value) && uses[value] == 1) dependences[value] = dependence;
+    std::vector<std::uint32_t> numbers(whole_.links.size());
+    const auto put = [&](Value value, std::uint32_t number) {
+        if (!SimplifiedTape::isFixed(value) && uses[value] == 1) numbers[value] = number;
     };
-    put(whole_.resultValue, SignDependence::sign);
+    put(whole_.resultValue, 1);
     for (std::size_t i = whole_.links.size(); i-- > 0;) {
-        if (dependences[i] == SignDependence::value) continue;
+        if (numbers[i] == 0) continue;
         const SimplifiedTape::Link& link = whole_.links[i];
         const Operation operation = whole_.instructions[i].operation;
-        if (operation == Operation::negate) put(link.operands[0], opposite(dependences[i]));
+        if (std::optional<LevelStep> step = levelStep(i)) {
+            step->from = numbers[i];
+            levelSteps_.push_back(*step);
+            put(link.operands[step->uniformFirst ? 1 : 0],
+                static_cast<std::uint32_t>(levelSteps_.size() + 1));
+        }
         if (!isChoice(operation) || operation == Operation::absolute) continue;
         // Of a select's first operand it is another sign that counts.
-        const std::size_t compared = isSelect(operation) ? 1 : 0;
-        for (std::size_t k = compared; k < whole_.instructions[i].operandCount; ++k)
-            put(link.operands[k], dependences[i]);
-        if (!whole_.dependences.empty()) whole_.dependences[link.choice] = dependences[i];
+        for (std::size_t k = isSelect(operation) ? 1 : 0; k < whole_.instructions[i].operandCount; ++k)
+            put(link.operands[k], numbers[i]);
+        if (!whole_.levelNumbers.empty()) whole_.levelNumbers[link.choice] = numbers[i];
     }
+}
+
+/// How the value of an operand of a monotone operation is compared when its own value is.
+std::optional<TapeLinks::LevelStep> TapeLinks::levelStep(std::size_t instruction) const {
+    LevelStep step;
+    step.operation = whole_.instructions[instruction].operation;
+    const auto isUniform = [&](std::size_t k) {
+        const Value value = whole_.links[instruction].operands[k];
+        return SimplifiedTape::isFixed(value) && (value & ~SimplifiedTape::fixed) >= tape_.firstUniform();
+    };
+    switch (step.operation) {
+        case Operation::negate: return step;
+        case Operation::add:
+        case Operation::subtract:
+        case Operation::multiply: step.uniformFirst = isUniform(0); [[fallthrough]];
+        case Operation::divide: break;
+        default: return std::nullopt;
+    }
+    const std::size_t other = step.uniformFirst ? 0 : 1;
+    if (!isUniform(other)) return std::nullopt;
+    step.uniform = whole_.links[instruction].operands[other] & ~SimplifiedTape::fixed;
+    return step;
+}
+
+std::vector<SignLevel> TapeLinks::levels(const UniformValues& uniforms, double threshold) const {
+    std::vector<SignLevel> levels{{}, {threshold, 0}};
+    for (const LevelStep& step : levelSteps_) {
+        const auto [value, reach] = levels[step.from];
+        if (step.operation == Operation::negate) {
+            levels.push_back({-value, reach});
+            continue;
+        }
+        const double number = uniforms.of(tape_, step.uniform);
+        // Roundings of the level, and those of the operation.
+        constexpr double roundings = 4e-16;
+        const double ofSum = reach + roundings * (std::abs(value) + reach + std::abs(number));
+        const auto ofProduct = [](double product, double itsReach) {
+            return SignLevel{product, itsReach + roundings * (std::abs(product) + itsReach) +
+                                          std::numeric_limits<double>::min()};
+        };
+        SignLevel level;
+        switch (step.operation) {
+            case Operation::add: level = {value - number, ofSum}; break;
+            case Operation::subtract:
+                level = {step.uniformFirst ? number - value : value + number, ofSum};
+                break;
+            case Operation::multiply: level = ofProduct(value / number, reach / std::abs(number)); break;
+            default: level = ofProduct(value * number, reach * std::abs(number));
+        }
+        // Nothing is beyond what is not known, as where a factor is 0.
+        if (!std::isfinite(level.value) || !std::isfinite(level.reach))
+            level = {0, std::numeric_limits<double>::infinity()};
+        levels.push_back(level);
+    }
+    return levels;
 }
 
 }  // namespace isoscope

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/evaluate/tape/simplified_tape.h"
 #include "core/evaluate/tape/tape.h"
+#include "core/evaluate/tape/uniform_values.h"
 
 namespace isoscope {
 
@@ -21,18 +23,31 @@ class TapeLinks {
     const SimplifiedTape& whole() const { return whole_; }
     /// What each result of the tape comes from.
     const std::vector<SimplifiedTape::Value>& results() const { return results_; }
+    /// The levels of SignStakes for a threshold of the first result, by their numbers; number 0 is for none.
+    std::vector<SignLevel> levels(const UniformValues& uniforms, double threshold) const;
     /// No decisions leave fewer instructions than these of the tape's first result: those that it needs
     /// whatever min, max and select choose.
     std::size_t leastLength() const { return leastLength_; }
 
   private:
+    /// A level, by another one: what `operation` is compared with, of whose operands one is the value whose
+    /// level this is, and the other one, if any, a uniform slot.
+    struct LevelStep {
+        std::uint32_t from = 0;
+        Operation operation = Operation::negate;
+        Slot uniform = 0;
+        bool uniformFirst = false;
+    };
+
     void linkWhole();
-    void findStakes();
+    void findLevels();
+    std::optional<LevelStep> levelStep(std::size_t instruction) const;
     std::size_t countLeast() const;
 
     const Tape& tape_;
     SimplifiedTape whole_;
     std::vector<SimplifiedTape::Value> results_;
+    std::vector<LevelStep> levelSteps_;  ///< from number 2 on; number 1 is the threshold
     std::size_t leastLength_ = 0;
 };
 

@@ -109,7 +109,7 @@ void TapeSimplifier::markNeeded(Value result, Choose choose) {
 void TapeSimplifier::assignSlots(SimplifiedTape& simplifiedTape) {
     simplifiedTape.instructions.clear();
     simplifiedTape.links.clear();
-    simplifiedTape.dependences.clear();
+    simplifiedTape.levelNumbers.clear();
     free_.clear();
     Slot next = links_.tape().firstReused();
     const std::size_t words = base_->instructions.size() / wordBits + 1;
@@ -142,8 +142,8 @@ void TapeSimplifier::append(std::uint32_t source, SimplifiedTape& simplifiedTape
     if (flipped_[source]) {
         instruction.operation = Operation::negate;
     } else if (choiceCount() > 0 && isChoice(instruction.operation)) {
-        link.choice = static_cast<std::uint32_t>(simplifiedTape.dependences.size());
-        simplifiedTape.dependences.push_back(base_->dependences[base_->links[source].choice]);
+        link.choice = static_cast<std::uint32_t>(simplifiedTape.levelNumbers.size());
+        simplifiedTape.levelNumbers.push_back(base_->levelNumbers[base_->links[source].choice]);
     }
     for (std::size_t k = 0; k < instruction.operandCount; ++k) {
         const Value value = operands_[source][k];

@@ -24,9 +24,9 @@ class TapeSimplifier {
     void setBase(const SimplifiedTape* base) { base_ = base != nullptr ? base : &links_.whole(); }
 
     /// Number of instructions that choose; 0 also for tapes with loops, which are not shortened.
-    std::size_t choiceCount() const { return base_->dependences.size(); }
-    /// How the tape's first result depends on each of its choosing instructions, in order.
-    std::span<const SignDependence> dependences() const { return base_->dependences; }
+    std::size_t choiceCount() const { return base_->levelNumbers.size(); }
+    /// For SignStakes: of each of its choosing instructions, in order.
+    std::span<const std::uint32_t> levelNumbers() const { return base_->levelNumbers; }
 
     /// The tape's result `result` (a base has but one) with choices[k] made for its k-th choosing
     /// instruction. Linear in what is left and in the decided choices that lead there; `simplifiedTape` keeps

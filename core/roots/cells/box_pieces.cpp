@@ -26,6 +26,7 @@ BoxPieces::BoxPieces(const PreparedFunction& function, const RootSettings& setti
     : settings_(settings),
       boxes_(function.shared_from_this()),
       simplifier_(function.links()),
+      levels_(function.links().levels(function.uniforms(), settings.threshold)),
       base_(&function.links().whole()) {}
 
 void BoxPieces::setBase(const SimplifiedTape& base) {
@@ -43,7 +44,8 @@ void BoxPieces::place(const glm::dvec3& center, const glm::dvec3& halfWidth, std
 
 void BoxPieces::enclose(std::size_t count) {
     std::array<Interval, batchLanes> values;
-    boxes_.evaluateChoices(lanes_, *base_, {settings_.threshold, simplifier_.dependences()},
+    work_ += count * base_->instructions.size();
+    boxes_.evaluateChoices(lanes_, *base_, {levels_, simplifier_.levelNumbers()},
                            std::span(values).first(count), choices_);
     for (std::size_t lane = 0; lane < count; ++lane) signs_[lane] = signOf(values[lane], settings_);
 }

@@ -37,22 +37,29 @@ class BoxPieces {
     const std::vector<LaneChoices>& choices() const { return choices_; }
     /// The tape that holds in all of these enclosed boxes (a bit for each).
     void simplify(std::uint64_t lanes, SimplifiedTape& simplifiedTape) {
-        simplifier_.simplify(choices_, lanes, 0, simplifiedTape);
+        simplify(choices_, lanes, simplifiedTape);
     }
     /// The same by choices() of an earlier enclosure.
     void simplify(const std::vector<LaneChoices>& choices, std::uint64_t lanes,
                   SimplifiedTape& simplifiedTape) {
         simplifier_.simplify(choices, lanes, 0, simplifiedTape);
+        // One that is kept costs about as much as its enclosure in so many boxes.
+        constexpr std::size_t boxes = 16;
+        work_ += boxes * simplifiedTape.instructions.size();
     }
 
     /// Boxes enclosed so far.
     std::uint64_t evaluations() const { return boxes_.evaluations(); }
+    /// What has been done so far, as so many instructions for one box.
+    std::uint64_t work() const { return work_; }
 
   private:
     const RootSettings& settings_;
     BoxEvaluator boxes_;
     TapeSimplifier simplifier_;
+    const std::vector<SignLevel> levels_;
     const SimplifiedTape* base_;
+    std::uint64_t work_ = 0;
     BoxLanes lanes_;
     std::vector<LaneChoices> choices_;
     std::array<double, batchLanes> signs_{};

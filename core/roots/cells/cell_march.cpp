@@ -13,6 +13,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Tapes as short as this are not worth an enclosure that makes them shorter.
 constexpr std::size_t shortTape = 24;
+/// Cells that cost more than so many enclosures of each line by the whole tape do not pay.
+constexpr std::size_t dearestLine = 48;
 
 std::uint64_t lanesFrom(std::size_t first, std::size_t end) {
     const std::uint64_t below = end < batchLanes ? (std::uint64_t(1) << end) - 1 : ~std::uint64_t(0);
@@ -36,9 +38,14 @@ CellMarch::Outcome CellMarch::run(const LineColumns& lines, double sufficient, c
     tree_.begin(*bundle);
     cutTiles(lines);
     if (!pays()) return Outcome::vain;
+    std::size_t begun = 0;
+    const std::uint64_t before = work();
     for (Tile& tile : tiles_) {
         if (stop.stop_requested()) break;
+        begun += tile.open;
         search(lines, tile, sufficient, roots);
+        const std::uint64_t most = (begun + tileLines) * dearestLine * tree_.whole().instructions.size();
+        if (work() - before > most) return Outcome::vain;
     }
     return Outcome::done;
 }
@@ -174,7 +181,9 @@ void CellMarch::march(const LineColumns& lines, Tile& tile, const DepthRange& ra
         ends_[i] = std::min(fars_[i], range.far);
     LineColumns cut = lines;
     cut.far = ends_.data();
+    const std::uint64_t enclosures = tools_.forms.evaluations();
     MarchKernel::Results& found = tools_.march.run(cut, tile.first, tile.count, starts_, sufficient, tape);
+    work_ += (tools_.forms.evaluations() - enclosures) * tape.instructions.size();
     tile.clearTo = range.far;
     tile.hasInside = false;
     takeResults(found, lines, tile, tape, roots);

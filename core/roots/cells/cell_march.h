@@ -47,7 +47,7 @@ class CellMarch {
     /// searches the lines otherwise.
     enum class Outcome {
         nothingAsked,  ///< all lines are empty, or have nothing in common
-        vain,          ///< tapes do not become short; nothing is done
+        vain,          ///< tapes do not become short enough to be worth their making
         done
     };
 
@@ -88,6 +88,7 @@ class CellMarch {
                double sufficient, FirstRoots& roots);
     void takeResults(MarchKernel::Results& found, const LineColumns& lines, Tile& tile,
                      const SimplifiedTape& tape, FirstRoots& roots);
+    std::uint64_t work() const { return work_ + tree_.work() + pieces_.work(); }
     void close(std::size_t line, Tile& tile);
 
     Tools tools_;
@@ -100,6 +101,7 @@ class CellMarch {
     AlignedColumn fars_;  ///< where lines that go on end; before anything for the others
     AlignedColumn ends_;  ///< how far they are searched for now
     std::size_t searched_ = 0;
+    std::uint64_t work_ = 0;  ///< of marches: so many instructions for one line
     std::vector<MarchKernel::Line> rest_;
     std::vector<NewtonPolish::Unsettled> unsettled_;
 };

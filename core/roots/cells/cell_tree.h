@@ -53,6 +53,8 @@ class CellTree {
     const SimplifiedTape& whole() const { return whole_; }
     /// Boxes enclosed so far.
     std::uint64_t evaluations() const { return boxes_.evaluations(); }
+    /// BoxPieces::work() so far.
+    std::uint64_t work() const { return boxes_.work(); }
 
   private:
     void divide(Cell& cell);

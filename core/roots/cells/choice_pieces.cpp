@@ -13,6 +13,7 @@ ChoicePieces::ChoicePieces(const PreparedFunction& function, const RootSettings&
     : settings_(settings),
       forms_(forms),
       simplifier_(function.links()),
+      levels_(function.links().levels(function.uniforms(), settings.threshold)),
       choiceCount_(simplifier_.choiceCount()) {}
 
 void ChoicePieces::setBase(const SimplifiedTape* base) {
@@ -27,7 +28,7 @@ void ChoicePieces::place(const LineBundle& bundle, const DepthRange& range, std:
 }
 
 void ChoicePieces::enclose(std::size_t count) {
-    const SignStakes stakes{settings_.threshold, simplifier_.dependences()};
+    const SignStakes stakes{levels_, simplifier_.levelNumbers()};
     const SignRule rule{settings_.threshold, settings_.positivePolarity};
     const AffineLanes found = forms_.evaluateChoices(pieces_, count, &spread_, choices_, base_, &stakes);
     for (std::size_t lane = 0; lane < count; ++lane)

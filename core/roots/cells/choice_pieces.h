@@ -46,6 +46,7 @@ class ChoicePieces {
     const RootSettings& settings_;
     AffineEvaluator& forms_;
     TapeSimplifier simplifier_;
+    const std::vector<SignLevel> levels_;
     std::size_t choiceCount_;  ///< of the whole tape
     const SimplifiedTape* base_ = nullptr;
     RayPieces pieces_;

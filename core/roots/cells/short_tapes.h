@@ -15,7 +15,7 @@ class ShortTapes {
 
     explicit ShortTapes(const PreparedFunction& function)
         : length_(function.tape()->instructions().size()),
-          possible_(function.links().whole().dependences.size() >= fewestChoices &&
+          possible_(function.links().whole().levelNumbers.size() >= fewestChoices &&
                     areShort(function.links().leastLength(), 1)) {}
 
     /// Whether the tape can become short at all.

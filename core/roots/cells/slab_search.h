@@ -46,8 +46,9 @@ class SlabSearch {
     /// enclosed.
     void noteStarts(CertainStarts& starts) const;
 
-    /// Searches these lines, with enclosures from `allowance`. done(line, search, end sign) is called as by GeneralSearchLanes::step;
-    /// missed(line, sign) for a line whose function is known to have one sign all along.
+    /// Searches these lines, with enclosures from `allowance`. done(line, search, end sign) is called as by
+    /// GeneralSearchLanes::step; missed(line, sign) for a line whose function is known to have one sign all
+    /// along.
     template <class Done, class Missed>
     void run(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, double sufficient,
              SearchAllowance allowance, const std::stop_token& stop, Done done, Missed missed) {

@@ -314,7 +314,10 @@ bool CertifiedRootFinder::findByCells(const LineColumns& lines, const RootReques
     const CellMarch::Outcome outcome = cells_.run(lines, request.sufficient, request.stop, roots);
     paidCells_ += outcome == CellMarch::Outcome::done;
     vainCells_ += outcome == CellMarch::Outcome::vain;
-    if (outcome != CellMarch::Outcome::done) return false;
+    if (outcome != CellMarch::Outcome::done) {
+        roots.clear(lines.count);
+        return false;
+    }
     if (request.stop.stop_requested()) return true;
     searches_ += cells_.searched() - cells_.rest().size();
     const Verdict hit = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;

@@ -13,8 +13,9 @@ bool GeneralSearchLanes::add(std::size_t line, const LineQuery& query, double su
     const std::size_t lane = active_;
     GeneralSearch& search = searches_[lane];
     const bool limited = allowance_.isLimited();
+    const std::uint32_t first = limited ? allowance_.firstPortion(tools_.forms.evaluations()) : tools_.budget;
     search.begin(query, tools_.settings, sufficient, tools_.forms.certain(), at(lane),
-                 limited ? std::min(SearchAllowance::portion, tools_.budget) : tools_.budget, !limited);
+                 std::min(first, tools_.budget), !limited);
     if (search.done()) return false;
     search.goTo(start, at(lane));
     lineOf_[lane] = line;

@@ -18,6 +18,8 @@ class SearchAllowance {
   public:
     /// Enclosures of a line between two looks at what is left.
     static constexpr std::uint32_t portion = 16;
+    /// Those of a line that begins when nothing is left.
+    static constexpr std::uint32_t leastPortion = 4;
     /// For the list, for each line, and for each that has come to a proof, or to gaps alone (found by trial
     /// on escape patterns).
     static constexpr std::uint64_t ofList = 6000, ofLine = 6, ofProof = 400, ofGap = 250;
@@ -41,6 +43,8 @@ class SearchAllowance {
         }
         return spent < end_;
     }
+    /// The enclosures that a line begins with when `spent` have been taken.
+    std::uint32_t firstPortion(std::uint64_t spent) { return has(spent) ? portion : leastPortion; }
     /// A line has ended with this verdict.
     void note(Verdict verdict) {
         if (verdict <= Verdict::certifiedMiss) end_ += ofProof;
