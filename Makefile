@@ -63,7 +63,7 @@ package: build
 	@cmake --build $(BUILD) -j $(JOBS) --target package_pages
 	@tools/package $(BUILD)
 
-# An archive with all libraries, for other distributions.
+# An archive with all libraries, and an AppImage, for other distributions.
 portable: test-dependencies build
 	@cmake --build $(BUILD) -j $(JOBS) --target package_pages
 	@tools/portable $(BUILD)

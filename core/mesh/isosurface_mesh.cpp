@@ -17,8 +17,6 @@ namespace isoscope {
 
 namespace {
 
-/// Cells are split once more, where samples are too far from the surface, so many times at most.
-constexpr int mostRounds = 100;
 /// The planes of the lattice lie so much of the tolerance inside of a box's walls.
 constexpr double insetShare = 0.25;
 /// Crossings are found to this part of the tolerance.
@@ -68,7 +66,8 @@ class IsosurfaceMesher {
             stop_);
         PolygonMesh made;
         MeshDistance distance;
-        // What was split is looked at alone until it is near enough, then all again.
+        // What was split is looked at alone until it is near enough, then all again. This ends: each round
+        // splits leaves, none beyond the finest.
         std::size_t before = 0;
         for (int round = 0;; ++round) {
             findForm(before);
@@ -77,7 +76,7 @@ class IsosurfaceMesher {
             distance = measureDistance(made, tolerance_, samplers_, workers_, stop_);
             if (progress) progress(1 - 0.3 * std::pow(0.6, round + 1));
             std::vector<std::uint32_t> coarse;
-            if (round < mostRounds && !refinement_.limited()) coarse = coarseLeaves(distance.failing);
+            if (!refinement_.limited()) coarse = coarseLeaves(distance.failing);
             if (stop_.stop_requested() || (coarse.empty() && before == 0)) break;
             before = coarse.empty() ? 0 : tree_.size();
             refinement_.split(std::move(coarse), {}, stop_);

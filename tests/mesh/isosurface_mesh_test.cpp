@@ -198,6 +198,15 @@ class IsosurfaceMeshTest : public QObject {
         QVERIFY2(made.report.keepsTolerance(), qPrintable(QString::number(made.report.distance)));
     }
 
+    /// Filaments of the Mandelbrot set enter one coarse leaf after the other, more than a hundred of them.
+    void itGoesOnUntilAllIsWithinTheTolerance() {
+        const SceneMesh made =
+            meshOf(statement("-f_mandel(x, y, z)", "sphere { 0, 2 }", "threshold -0.5"), 0.02);
+        QCOMPARE(made.problem, std::string());
+        QVERIFY(!made.report.limited);
+        QVERIFY2(made.report.keepsTolerance(), qPrintable(QString::number(made.report.distance)));
+    }
+
     void theSameBytesForAnyNumberOfThreads() {
         const std::string text = statement("f_noise3d(4*x, 4*y, 4*z) - 0.5 + 0.2*max(x, y)",
                                            "sphere { 0, 1 }", "pigment { bozo scale 0.3 }");

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""portable_test.py BUILD: whether the archive of tools/portable runs by itself, see README.md. Exit status 77: skipped."""
+"""portable_test.py BUILD: whether the archive and the AppImage of tools/portable run by themselves, see README.md. Exit status 77:
+skipped."""
+import json
 import os
 import pathlib
 import re
@@ -9,6 +11,7 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+import time
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 # What every desktop has, and has to have its own of: C library, drivers, display, fonts.
@@ -50,19 +53,84 @@ def check_run(root, work, what, *words):
     check(drivers or not others, f"{what} uses none of the system's but what each has {sorted(others)[:5]}")
 
 
+def check_appimage(image, archive_root, work):
+    """The same files as in the archive, unpacked, in the cache, and mounted where this machine can."""
+    head = image.read_bytes()[:16]
+    check(head[:4] == b"\x7fELF" and head[8:11] == b"AI\x02", "the AppImage has the marks of type 2")
+    offset = int(run(image, "--appimage-offset").stdout)
+    with open(image, "rb") as file:
+        file.seek(offset)
+        check(file.read(4) == b"hsqs", "a squashfs image is behind its runtime")
+    check(run("ldd", image).returncode != 0, "the runtime needs no library")
+    unpacked = work / "unpacked"
+    unpacked.mkdir()
+    check(run(image, "--appimage-extract", cwd=unpacked).returncode == 0, "--appimage-extract ends well")
+    same = run("diff", "-r", "--no-dereference", archive_root, unpacked / "squashfs-root")
+    check(same.returncode == 0, f"it unpacks what is in the archive {same.stdout[:300]}")
+    programs = [path for path in archive_root.rglob("*") if path.is_file() and not path.is_symlink() and path.stat().st_mode & 0o100]
+    check(all((unpacked / "squashfs-root" / path.relative_to(archive_root)).stat().st_mode & 0o100 for path in programs),
+          "programs stay programs")
+
+    cache = work / "cache"
+    base = {"PATH": os.environ["PATH"], "HOME": str(work / "home"), "XDG_CACHE_HOME": str(cache), "TMPDIR": str(work), "LC_ALL": "C.UTF-8",
+            "QT_QPA_PLATFORM": "offscreen", "LIBGL_ALWAYS_SOFTWARE": "1", "XDG_RUNTIME_DIR": str(work / "home")}
+    window = work / "appimage.png"
+    done = run(image, "--screenshot", window, "--size", "900x600", archive_root / "usr/share/isoscope/examples/heart.pov",
+               cwd=work, env={**base, "APPIMAGE_EXTRACT_AND_RUN": "1"})
+    check(done.returncode == 0 and window.exists(), f"without FUSE the window opens an example {done.stderr[-300:]}")
+    trees = list((cache / "isoscope").glob("appimage-*"))
+    check(len(trees) == 1, "it is unpacked into the cache")
+    link = work / "isoscope-cli"
+    link.symlink_to(image)
+    marks = {path: path.stat().st_mtime_ns for path in trees[0].rglob("*")} if trees else {}
+    done = run(link, "--appimage-extract-and-run", "evaluate", "--help", cwd=work, env=base)
+    check(done.returncode == 0 and "evaluate" in done.stdout, "by the name of the command line it is that")
+    check(all(path.stat().st_mtime_ns == mark for path, mark in marks.items()), "the second time nothing is unpacked")
+    done = run(link, "check", "nothing.pov", cwd=work, env=base)
+    check(done.returncode == 1 and "nothing.pov" in done.stderr, "the exit status is the program's")
+
+    if not os.access("/dev/fuse", os.W_OK) or not (os.geteuid() == 0 or shutil.which("fusermount3")):
+        print("this machine has no FUSE: mounting is NOT TESTED")
+        return
+    shutil.rmtree(cache)
+    done = run(link, "--version", cwd=work, env=base)
+    check(done.returncode == 0 and not cache.exists(), "with FUSE nothing is unpacked")
+    for _ in range(100):
+        if not list(work.glob(".mount_*")):
+            break
+        time.sleep(0.1)
+    check(not list(work.glob(".mount_*")), "the folder that it was mounted on is gone")
+
+
+def check_flatpak():
+    """The manifest as flatpak-builder reads it, and the files that it names."""
+    if not shutil.which("flatpak-builder"):
+        print("flatpak-builder is missing: the manifest is NOT TESTED")
+        return
+    manifest = next((SOURCE / "resources/package").glob("*.yml"))
+    done = run("flatpak-builder", "--show-manifest", manifest)
+    check(done.returncode == 0 and not done.stderr.strip(), f"flatpak-builder understands its manifest {done.stderr[-300:]}")
+    read = json.loads(done.stdout)
+    check(f"<id>{read['id']}</id>" in (manifest.parent / f"{read['id']}.metainfo.xml").read_text(), "its name is that of the metadata")
+    check((manifest.parent / read["rename-desktop-file"]).exists(), "it names the desktop's file")
+    check((SOURCE / "resources/icons" / f"{read['rename-icon']}.svg").exists(), "it names the icon")
+    check((manifest.parent / read["modules"][-1]["sources"][0]["path"]).resolve() == SOURCE, "it builds from these sources")
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     build = pathlib.Path(sys.argv[1]).resolve()
-    if not shutil.which("patchelf") or not (build / "isoscope").exists() or not (build / "isoscope-cli").exists():
-        print("patchelf or the programs are missing: NOT TESTED")
+    if not shutil.which("patchelf") or not shutil.which("mksquashfs") or not (build / "isoscope").exists() or not (build / "isoscope-cli").exists():
+        print("patchelf, mksquashfs or the programs are missing: NOT TESTED")
         sys.exit(77)
+    check_flatpak()
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
         packed = run(SOURCE / "tools/portable", build, work)
         check(packed.returncode == 0, f"it is packed {packed.stderr[-300:]}")
         if packed.returncode == 0:
-            archive = pathlib.Path(packed.stdout.strip().splitlines()[-1])
+            archive, image = (pathlib.Path(line) for line in packed.stdout.strip().splitlines()[-2:])
             with tarfile.open(archive) as tar:
                 tar.extractall(work / "any where")
             root = next((work / "any where").iterdir())
@@ -77,6 +145,7 @@ def main():
             window = work / "window.png"
             check_run(root, work, "window", root / "AppRun", "--screenshot", window, "--size", "900x600", examples / "heart.pov")
             check(window.exists() and window.stat().st_size > 20000, "the window opens an example")
+            check_appimage(image, root, work)
     sys.exit(1 if failures else 0)
 
 

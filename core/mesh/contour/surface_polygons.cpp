@@ -243,11 +243,14 @@ std::vector<std::uint32_t> leavesAround(const CellOctree& tree, std::size_t befo
     std::vector<std::uint8_t> marks(tree.size(), markedOutside | markedInside);
     std::fill(marks.begin() + static_cast<std::ptrdiff_t>(before), marks.end(), markedFully);
     std::vector<std::uint32_t> leaves;
-    forEachMinimalEdge(tree, marks, [&](const MinimalEdge& edge) {
-        leaves.insert(leaves.end(), edge.cells.begin(), edge.cells.end());
-    });
-    std::sort(leaves.begin(), leaves.end());
-    leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+    for (int ring = 0; ring < 2; ++ring) {
+        for (const std::uint32_t leaf : leaves) marks[leaf] = markedFully;
+        forEachMinimalEdge(tree, marks, [&](const MinimalEdge& edge) {
+            leaves.insert(leaves.end(), edge.cells.begin(), edge.cells.end());
+        });
+        std::sort(leaves.begin(), leaves.end());
+        leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+    }
     return leaves;
 }
 

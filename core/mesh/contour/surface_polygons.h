@@ -54,8 +54,8 @@ struct SurfacePolygons {
 /// around them alone: other leaves then lack vertices.
 SurfacePolygons findPolygons(const CellOctree& tree, const CellSamples& samples, SamplerPool& samplers,
                              std::span<const std::uint32_t> leaves = {});
-/// The leaves of the tree around edges of those that came after the first `before` cells, themselves
-/// included.
+/// The leaves with a polygon whose form may have changed since the tree had `before` cells: those around
+/// edges of the cells that came after, whose vertices may have moved, and those around edges of these.
 std::vector<std::uint32_t> leavesAround(const CellOctree& tree, std::size_t before);
 
 }  // namespace isoscope
