@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """portable_test.py BUILD: whether the archive and the AppImage of tools/portable run by themselves, see README.md. Exit status 77:
 skipped."""
-import json
 import os
 import pathlib
 import re
@@ -102,21 +101,6 @@ def check_appimage(image, archive_root, work):
     check(not list(work.glob(".mount_*")), "the folder that it was mounted on is gone")
 
 
-def check_flatpak():
-    """The manifest as flatpak-builder reads it, and the files that it names."""
-    if not shutil.which("flatpak-builder"):
-        print("flatpak-builder is missing: the manifest is NOT TESTED")
-        return
-    manifest = next((SOURCE / "resources/package").glob("*.yml"))
-    done = run("flatpak-builder", "--show-manifest", manifest)
-    check(done.returncode == 0 and not done.stderr.strip(), f"flatpak-builder understands its manifest {done.stderr[-300:]}")
-    read = json.loads(done.stdout)
-    check(f"<id>{read['id']}</id>" in (manifest.parent / f"{read['id']}.metainfo.xml").read_text(), "its name is that of the metadata")
-    check((manifest.parent / read["rename-desktop-file"]).exists(), "it names the desktop's file")
-    check((SOURCE / "resources/icons" / f"{read['rename-icon']}.svg").exists(), "it names the icon")
-    check((manifest.parent / read["modules"][-1]["sources"][0]["path"]).resolve() == SOURCE, "it builds from these sources")
-
-
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
@@ -124,7 +108,6 @@ def main():
     if not shutil.which("patchelf") or not shutil.which("mksquashfs") or not (build / "isoscope").exists() or not (build / "isoscope-cli").exists():
         print("patchelf, mksquashfs or the programs are missing: NOT TESTED")
         sys.exit(77)
-    check_flatpak()
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
         packed = run(SOURCE / "tools/portable", build, work)
