@@ -59,12 +59,14 @@ void printKnees(RenderRequest view, const AccuracyArguments& arguments, StudiedS
                           "rays_per_pixel",
                           "evaluations_per_pixel",
                           "primary_evaluations_per_pixel",
+                          "shadow_evaluations_per_pixel",
                           "products",
                           "sums",
                           "native_steps",
                           "calls",
                           "declared_calls",
                           "pattern_calls",
+                          "pigment_calls",
                           "quotients",
                           "waves",
                           "powers",
@@ -92,13 +94,26 @@ void printKnees(RenderRequest view, const AccuracyArguments& arguments, StudiedS
         std::vector<std::string> fields{std::to_string(isosurface.number), exactNumber(present),
                                         knee ? exactNumber(*knee) : "", std::to_string(lost),
                                         std::to_string(survey.width() * survey.height())};
-        for (const double number :
-             {povraySeconds(counts, pixels), povrayTimeError, static_cast<double>(counts.rays) / counted,
-              static_cast<double>(counts.evaluations) / counted,
-              static_cast<double>(counts.primaryEvaluations) / counted, counts.work.products,
-              counts.work.sums, counts.work.nativeSteps, counts.work.calls, counts.work.declaredCalls,
-              counts.work.patternCalls, counts.work.quotients, counts.work.waves, counts.work.powers,
-              counts.work.noises, counts.work.vectorNoises, counts.work.cells, machineSlowness()})
+        for (const double number : {povraySeconds(counts, pixels),
+                                    povrayTimeError,
+                                    static_cast<double>(counts.rays) / counted,
+                                    static_cast<double>(counts.evaluations) / counted,
+                                    static_cast<double>(counts.primaryEvaluations) / counted,
+                                    static_cast<double>(counts.shadowEvaluations) / counted,
+                                    counts.work.products,
+                                    counts.work.sums,
+                                    counts.work.nativeSteps,
+                                    counts.work.calls,
+                                    counts.work.declaredCalls,
+                                    counts.work.patternCalls,
+                                    counts.work.pigmentCalls,
+                                    counts.work.quotients,
+                                    counts.work.waves,
+                                    counts.work.powers,
+                                    counts.work.noises,
+                                    counts.work.vectorNoises,
+                                    counts.work.cells,
+                                    machineSlowness()})
             fields.push_back(exactNumber(number));
         std::cout << csvLine(fields) << std::flush;
     }

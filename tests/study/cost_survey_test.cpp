@@ -157,6 +157,16 @@ class CostSurveyTest : public QObject {
         const FunctionWork torus = workOf(called.scene->isosurfaces[0], *called.scene->parameterTable);
         QCOMPARE(torus.calls, 1.0);
         QVERIFY(torus.nativeSteps > 0);
+        // A pigment is told from a function by the component that is taken.
+        const RenderRequest pigment = studyScene(
+            "#declare P = function { pigment { bozo color_map { [0 rgb 0] [1 rgb 1] } } }\n"
+            "#declare F = function(x, y, z) { x*y }\n"
+            "isosurface { function { P(2*x, (y), z) .gray - F(x, y, z) } contained_by { box { -2, 2 } } }");
+        const FunctionWork mixed = workOf(pigment.scene->isosurfaces[0], *pigment.scene->parameterTable);
+        QCOMPARE(mixed.pigmentCalls, 1.0);
+        QCOMPARE(mixed.declaredCalls, 1.0);
+        QCOMPARE(mixed.products, 1.0);
+        QVERIFY(mixed.nativeSteps > 0);
     }
 
     void timeGrowsWithPixelsAndEvaluations() {
@@ -166,6 +176,11 @@ class CostSurveyTest : public QObject {
         // A light that casts shadows: some of the rays are not the camera's.
         QVERIFY(counts.rays > counts.pixels && counts.evaluations > counts.primaryEvaluations);
         QVERIFY(counts.lightFactor() > 1 && counts.lightFactor() < 3);
+        // There are no others.
+        QCOMPARE(counts.shadowEvaluations, counts.evaluations - counts.primaryEvaluations);
+        PovrayCounts mirrored = counts;
+        mirrored.shadowEvaluations = 0;
+        QVERIFY(povraySeconds(mirrored, 1000) < povraySeconds(counts, 1000));
         const double once = povraySeconds(counts, 1000);
         QVERIFY(once > 0);
         QCOMPARE(povraySeconds(counts, 4000), 4 * once);

@@ -21,30 +21,30 @@ namespace {
 /// Steps of a loop whose bounds depend on the place.
 constexpr double unknownSteps = 10;
 
-/// Nanoseconds on the machine where POV-Ray 3.7.0.10 was timed: with them 61 of 75 scenes (examples,
-/// tests/bench, insert menu; 320x240, the quicker of runs) are told to 30 %; fitted to four fifths of them,
-/// 57 of those held out in turn. tools/povray-time times and fits anew. Products take longer than sums
+/// Nanoseconds on the machine where POV-Ray 3.7.0.10 was timed: with them 64 of 75 scenes (examples,
+/// tests/bench, insert menu; 320x240, the quickest of three runs) are told to 30 %. tools/povray-time times
+/// and fits anew. Quotients are lost in what is around them. Products take longer than sums
 /// because their factors go through the interpreter's stack.
 struct PovrayCost {
-    double pixel = 93;
-    double evaluation = 56;
-    double product = 15.7;
-    double sum = 1.3;
-    double nativeStep = 0.4;
-    double call = 13;
+    double pixel = 160;
+    double evaluation = 36;
+    double product = 11.5;
+    double sum = 5.4;
+    double nativeStep = 0.36;
+    double call = 33;
     double declaredCall = 41;
-    double patternCall = 43;
-    double quotient = 8.3;
-    double wave = 12;
-    double power = 28;
-    double noise = 30;
-    double vectorNoise = 29;
-    double cell = 252;
+    double patternCall = 32;
+    double pigmentCall = 61;
+    double wave = 14;
+    double power = 21;
+    double noise = 38;
+    double vectorNoise = 32;
+    double cell = 273;
 };
 constexpr PovrayCost cost;
-/// POV-Ray's shadow rays look a little further than ours before they are content: its count of function calls
-/// says so.
-constexpr double shadowExcess = 1.6;
+/// POV-Ray's shadow rays take so many times as many evaluations as ours: its count of function calls with a
+/// light that casts shadows and without says so.
+constexpr double shadowExcess = 1.85;
 /// What measureSlowness() times, in seconds, there: between that machine's 0.190e-3 and the 0.211e-3 that a
 /// second one, twice as fast, asks for. Each is told 5 % off by it.
 constexpr double referenceSeconds = 0.2e-3;
@@ -53,7 +53,7 @@ double evaluationTime(const FunctionWork& work) {
     return cost.evaluation + cost.product * work.products + cost.sum * work.sums +
            cost.nativeStep * work.nativeSteps + cost.call * work.calls +
            cost.declaredCall * work.declaredCalls + cost.patternCall * work.patternCalls +
-           cost.quotient * work.quotients + cost.wave * work.waves + cost.power * work.powers +
+           cost.pigmentCall * work.pigmentCalls + cost.wave * work.waves + cost.power * work.powers +
            cost.noise * work.noises + cost.vectorNoise * work.vectorNoises + cost.cell * work.cells;
 }
 
@@ -79,12 +79,25 @@ double measureSlowness() {
 }
 
 constexpr double FunctionWork::*members[] = {
-    &FunctionWork::products,  &FunctionWork::sums,          &FunctionWork::nativeSteps,
-    &FunctionWork::calls,     &FunctionWork::declaredCalls, &FunctionWork::patternCalls,
-    &FunctionWork::quotients, &FunctionWork::waves,         &FunctionWork::powers,
-    &FunctionWork::noises,    &FunctionWork::vectorNoises,  &FunctionWork::cells};
+    &FunctionWork::products,     &FunctionWork::sums,          &FunctionWork::nativeSteps,
+    &FunctionWork::calls,        &FunctionWork::declaredCalls, &FunctionWork::patternCalls,
+    &FunctionWork::pigmentCalls, &FunctionWork::quotients,     &FunctionWork::waves,
+    &FunctionWork::powers,       &FunctionWork::noises,        &FunctionWork::vectorNoises,
+    &FunctionWork::cells};
 
 bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+/// Whether the call whose parenthesis opens at `open` is followed by a component, as that of a pigment is.
+bool hasComponent(std::string_view text, std::size_t open) {
+    int depth = 0;
+    for (std::size_t i = open; i < text.size(); ++i) {
+        depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+        if (depth > 0) continue;
+        i = text.find_first_not_of(" \t\n", i + 1);
+        return i != std::string_view::npos && text[i] == '.';
+    }
+    return false;
+}
 
 void count(Operation operation, FunctionWork& work) {
     switch (factsOf(operation).work) {
@@ -149,9 +162,9 @@ FunctionWork workOf(const SceneIsosurface& isosurface, std::span<const double> p
         if (builtin)
             (builtin->id < 0 ? work.patternCalls : work.calls) += 1;
         else if (!isReservedWord(word))
-            work.declaredCalls += 1;
+            (hasComponent(text, next) ? work.pigmentCalls : work.declaredCalls) += 1;
     }
-    if (work.calls + work.patternCalls == 0) return work;
+    if (work.calls + work.patternCalls + work.pigmentCalls == 0) return work;
     products = std::min(products, work.products);
     sums = std::min(sums, work.sums);
     work.nativeSteps = work.products + work.sums - products - sums;
@@ -174,8 +187,10 @@ PovrayCounts countForPovray(RenderRequest request, int width, std::stop_token st
     counts.pixels = static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height);
     counts.rays = statistics.rays;
     counts.evaluations = statistics.evaluations;
-    for (const StageReport& stage : statistics.stages)
+    for (const StageReport& stage : statistics.stages) {
         if (stage.kind == StageKind::primaryRays) counts.primaryEvaluations = stage.evaluations;
+        if (stage.kind == StageKind::shadows) counts.shadowEvaluations = stage.evaluations;
+    }
     // Which function the evaluations are of is not counted; the rays that met the containers are.
     double searches = 0;
     const Scene& scene = *request.scene;
@@ -203,7 +218,9 @@ double povraySeconds(const PovrayCounts& counts, double pixels) {
 
 double povraySeconds(const PovrayCounts& counts, double pixels, double evaluationsPerPixel) {
     if (counts.pixels == 0) return 0;
-    const double evaluations = evaluationsPerPixel * (1 + (counts.lightFactor() - 1) * shadowExcess);
+    const double excess = (shadowExcess - 1) * static_cast<double>(counts.shadowEvaluations) /
+                          std::max(1.0, static_cast<double>(counts.primaryEvaluations));
+    const double evaluations = evaluationsPerPixel * (counts.lightFactor() + excess);
     const double nanoseconds = cost.pixel + evaluationTime(counts.work) * evaluations;
     return pixels * nanoseconds * 1e-9 * machineSlowness();
 }

@@ -15,16 +15,18 @@ namespace isoscope {
 struct FunctionWork {
     double products = 0;       ///< by POV-Ray's interpreter
     double sums = 0;           ///< choices and comparisons, too, by the interpreter
-    double nativeSteps = 0;    ///< all of these inside of built-in functions, which are compiled
+    double nativeSteps = 0;    ///< all of these inside of built-in functions and pigments, which are compiled
     double calls = 0;          ///< of built-in functions
     double declaredCalls = 0;  ///< of functions of the text
     double patternCalls = 0;   ///< of pattern functions
-    double quotients = 0;      ///< divisions, square roots, roundings
-    double waves = 0;          ///< trigonometric and exponential functions
-    double powers = 0;         ///< pow, atan2, mod
-    double noises = 0;         ///< lookups of the noise
-    double vectorNoises = 0;   ///< components of the vector noise
-    double cells = 0;          ///< lookups of crackle and of tables
+    double pigmentCalls =
+        0;                 ///< of pigments as functions, which the text has declared: those with a component
+    double quotients = 0;  ///< divisions, square roots, roundings
+    double waves = 0;      ///< trigonometric and exponential functions
+    double powers = 0;     ///< pow, atan2, mod
+    double noises = 0;     ///< lookups of the noise
+    double vectorNoises = 0;  ///< components of the vector noise
+    double cells = 0;         ///< lookups of crackle and of tables
 
     FunctionWork& operator+=(const FunctionWork& other);
     FunctionWork operator*(double factor) const;
@@ -44,6 +46,7 @@ struct PovrayCounts {
     std::uint64_t rays = 0;                ///< of the camera and of shadows, mirrors and glass
     std::uint64_t evaluations = 0;         ///< by all of them
     std::uint64_t primaryEvaluations = 0;  ///< by the camera's
+    std::uint64_t shadowEvaluations = 0;   ///< by those towards lights
     FunctionWork work;                     ///< of one evaluation; the mean where there are several functions
     bool complete = false;
 
