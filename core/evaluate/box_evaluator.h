@@ -39,8 +39,7 @@ class BoxEvaluator {
     void evaluate(const BoxLanes& boxes, const SimplifiedTape& tape, std::span<Interval> out);
 
     /// As the second, and notes which choices are decided in each box: choices[k] for the k-th choosing
-    /// instruction of the tape. What cannot change the sign that `signs` is
-    /// about counts as not chosen.
+    /// instruction of the tape. What cannot change the sign that `signs` is about counts as not chosen.
     void evaluateChoices(const BoxLanes& boxes, const SimplifiedTape& tape, const SignStakes& signs,
                          std::span<Interval> out, std::vector<LaneChoices>& choices);
 

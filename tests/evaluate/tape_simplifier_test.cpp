@@ -161,6 +161,9 @@ class TapeSimplifierTest : public QObject {
         QCOMPARE(links.levels(UniformValues(*scaled, {&zero, 1}), 1).back().reach,
                  std::numeric_limits<double>::infinity());
         QCOMPARE(links.levels(UniformValues(*scaled, {&three, 1}), 1).back().value, 1.0 / 3);
+        // Products of what is nearer to 0 than this underflow.
+        const double tiny = 1e-300;
+        QVERIFY(links.levels(UniformValues(*scaled, {&tiny, 1}), 0).back().reach > 2e-8);
     }
 
     /// With levels, tapes keep the sign of the whole on the piece, and less than half is left of what can go.

@@ -119,12 +119,11 @@ std::vector<SignLevel> TapeLinks::levels(const UniformValues& uniforms, double t
             continue;
         }
         const double number = uniforms.of(tape_, step.uniform);
-        // Roundings of the level, and those of the operation.
-        constexpr double roundings = 4e-16;
+        // Roundings of the level, and those of the operation, whose products may underflow.
+        constexpr double roundings = 4e-16, smallest = std::numeric_limits<double>::min();
         const double ofSum = reach + roundings * (std::abs(value) + reach + std::abs(number));
         const auto ofProduct = [](double product, double itsReach) {
-            return SignLevel{product, itsReach + roundings * (std::abs(product) + itsReach) +
-                                          std::numeric_limits<double>::min()};
+            return SignLevel{product, itsReach + roundings * (std::abs(product) + itsReach) + smallest};
         };
         SignLevel level;
         switch (step.operation) {
@@ -132,8 +131,10 @@ std::vector<SignLevel> TapeLinks::levels(const UniformValues& uniforms, double t
             case Operation::subtract:
                 level = {step.uniformFirst ? number - value : value + number, ofSum};
                 break;
-            case Operation::multiply: level = ofProduct(value / number, reach / std::abs(number)); break;
-            default: level = ofProduct(value * number, reach * std::abs(number));
+            case Operation::multiply:
+                level = ofProduct(value / number, (reach + smallest) / std::abs(number));
+                break;
+            default: level = ofProduct(value * number, (reach + smallest) * std::abs(number));
         }
         // Nothing is beyond what is not known, as where a factor is 0.
         if (!std::isfinite(level.value) || !std::isfinite(level.reach))
