@@ -235,16 +235,14 @@ LaneChoices AffineEvaluator::decide(const Instruction& instruction, std::size_t 
     LaneChoices choices =
         decideAffineChoices(operand(0), second, takesLower, twoSided ? level : nullptr, count);
     if (level == nullptr || !isSelect(instruction.operation)) return choices;
-    // Where all operands that may be taken are on one side, the sign is the same whichever is; a constant is
-    // the cheaper one to be left.
+    // Where all operands that may be taken are on one side, the sign is the same whichever is.
     std::uint64_t above = ~std::uint64_t(0), below = above;
     for (std::size_t k = 1; k < instruction.operandCount; ++k) {
         const LanesBeyond beyond = lanesBeyond(operand(k), *level, count);
         above &= beyond.above, below &= beyond.below;
     }
     const std::uint64_t alike = above | below;
-    const bool takesLast = !workspace_.isUniform(instruction.operands[1]) &&
-                           workspace_.isUniform(instruction.operands[instruction.operandCount - 1]);
+    const bool takesLast = cheapestCase(*tape_, instruction) == Choice::second;
     choices.first = takesLast ? choices.first & ~alike : choices.first | alike;
     choices.second = takesLast ? choices.second | alike : choices.second & ~alike;
     return choices;

@@ -82,10 +82,8 @@ LaneChoices BoxEvaluator::decide(const Instruction& instruction, std::size_t cou
         instruction.operation == Operation::minimum || instruction.operation == Operation::maximum;
     const bool takesLower =
         instruction.operation != Operation::maximum && instruction.operation != Operation::absolute;
-    // A constant is the cheaper one to be left.
-    const bool takesLast = isSelect(instruction.operation) &&
-                           !workspace_.isUniform(instruction.operands[1]) &&
-                           workspace_.isUniform(instruction.operands[instruction.operandCount - 1]);
+    const bool takesLast =
+        isSelect(instruction.operation) && cheapestCase(*tape_, instruction) == Choice::second;
     struct Range {
         double low, high;
         bool sure;

@@ -32,6 +32,13 @@ constexpr bool isSelect(Operation operation) {
     return operation == Operation::select3 || operation == Operation::select4;
 }
 
+/// The side of a select that is left where its cases come to the same: that of a constant, which costs
+/// nothing.
+inline Choice cheapestCase(const Tape& tape, const Instruction& select) {
+    const Slot first = select.operands[1], last = select.operands[select.operandCount - 1u];
+    return !tape.isUniform(first) && tape.isUniform(last) ? Choice::second : Choice::first;
+}
+
 /// Where up to 64 lanes take the sides of one choice: bit i stands for lane i.
 struct LaneChoices {
     std::uint64_t first = 0, second = 0;

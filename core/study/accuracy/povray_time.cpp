@@ -23,7 +23,7 @@ constexpr double unknownSteps = 10;
 
 /// Nanoseconds on the machine where POV-Ray 3.7.0.10 was timed: with them 64 of 75 scenes (examples,
 /// tests/bench, insert menu; 320x240, the quickest of three runs) are told to 30 %. tools/povray-time times
-/// and fits anew. Quotients are lost in what is around them. Products take longer than sums
+/// and fits anew: quotients came to nothing beside what is around them. Products take longer than sums
 /// because their factors go through the interpreter's stack.
 struct PovrayCost {
     double pixel = 160;
@@ -44,7 +44,7 @@ struct PovrayCost {
 constexpr PovrayCost cost;
 /// POV-Ray's shadow rays take so many times as many evaluations as ours: its count of function calls with a
 /// light that casts shadows and without says so.
-constexpr double shadowExcess = 1.85;
+constexpr double shadowFactor = 1.85;
 /// What measureSlowness() times, in seconds, there: between that machine's 0.190e-3 and the 0.211e-3 that a
 /// second one, twice as fast, asks for. Each is told 5 % off by it.
 constexpr double referenceSeconds = 0.2e-3;
@@ -218,7 +218,7 @@ double povraySeconds(const PovrayCounts& counts, double pixels) {
 
 double povraySeconds(const PovrayCounts& counts, double pixels, double evaluationsPerPixel) {
     if (counts.pixels == 0) return 0;
-    const double excess = (shadowExcess - 1) * static_cast<double>(counts.shadowEvaluations) /
+    const double excess = (shadowFactor - 1) * static_cast<double>(counts.shadowEvaluations) /
                           std::max(1.0, static_cast<double>(counts.primaryEvaluations));
     const double evaluations = evaluationsPerPixel * (counts.lightFactor() + excess);
     const double nanoseconds = cost.pixel + evaluationTime(counts.work) * evaluations;
