@@ -90,6 +90,8 @@ void DiagnosticMarks::set(const Diagnostics& diagnostics, const SourceLibrary&) 
         marks_.push_back(std::move(mark));
         underline(begin, end, diagnostic.severity, static_cast<int>(marks_.size()));
     }
+    // Beside an empty text Scintilla paints no margin anew.
+    editor_->viewport()->update();
 }
 
 void DiagnosticMarks::clear() {

@@ -63,6 +63,8 @@ void VerdictMarks::set(const std::vector<Mark>& marks) {
     }
     for (Placed& placed : marks_)
         placed.handle = editor_->markerAdd(placed.mark.line, marker(placed.mark.verdict));
+    // Beside an empty text Scintilla paints no margin anew.
+    editor_->viewport()->update();
 }
 
 QString VerdictMarks::textOfLine(int line) const {

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QSignalSpy>
+#include <QPaintEvent>
 #include <QTest>
 
 #include "tests/widgets/gui_events.h"
@@ -39,6 +40,18 @@ QString longText() {
         text += QString("sphere { <%1, 0.5, -2>, 1.25 } // line %1\n").arg(i);
     return text;
 }
+
+/// What of a widget is painted from now on.
+class PaintedRegion : public QObject {
+  public:
+    explicit PaintedRegion(QWidget* widget) { widget->installEventFilter(this); }
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() == QEvent::Paint) region += static_cast<QPaintEvent*>(event)->region();
+        return false;
+    }
+
+    QRegion region;
+};
 
 }  // namespace
 
@@ -315,6 +328,29 @@ class SceneEditorTest : public QObject {
         editor_->setDiagnostics({}, sources);
         QCOMPARE(valueAt(Severity::error, bad.begin), 0L);
         QCOMPARE(editor_->markersAtLine(1), 0u);
+    }
+
+    /// A bug once: the sign of a mistake stayed beside a text that was deleted as a whole.
+    void noMarkIsLeftBesideAnEmptyText() {
+        load("sphere { bad }");
+        SourceLibrary sources;
+        sources.add("scene.pov", editor_->utf8());
+        const SourceRange bad = rangeOf(*editor_, "bad");
+        editor_->setDiagnostics({{Severity::error, "unknown-name", bad, "`bad` is not known", "", {}},
+                                 {Severity::leftOut, "left-out", bad, "`bad` is left out", "", {}}},
+                                sources);
+        QVERIFY(editor_->markersAtLine(0) != 0u);
+        editor_->selectAll();
+        editor_->removeSelectedText();
+        QCOMPARE(editor_->utf8(), std::string());
+        editor_->resize(400, 300);
+        editor_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(editor_.get()));
+        QCoreApplication::processEvents();
+        PaintedRegion painted(editor_->viewport());
+        editor_->setDiagnostics({}, sources);
+        QCOMPARE(editor_->markersAtLine(0), 0u);
+        QTRY_VERIFY(painted.region.contains(QPoint(0, 0)));
     }
 
     void missingTextIsMarkedBeforeTheGap_data() {
