@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -30,7 +30,7 @@ struct GradientArguments {
     std::vector<std::string> moreScenes;
     std::string object;
     std::string table;
-    GradientStudySettings settings;
+    GradientStudySettings settings{.threads = 0};
     double proofLimit = 20;  ///< seconds for each isosurface or row
     std::string changedScene;
     std::vector<std::string> only;
@@ -44,7 +44,7 @@ struct GradientArguments {
 StudiedGradient study(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
                       const Container& container, const GradientArguments& arguments,
                       const std::string& name) {
-    const std::clock_t begin = std::clock();
+    const auto begin = std::chrono::steady_clock::now();
     const TimeLimit limit(arguments.proofLimit);
     const LoopStop loops(limit.token());
     StudiedGradient result;
@@ -55,7 +55,7 @@ StudiedGradient study(const std::shared_ptr<const Tape>& tape, std::span<const d
         std::cerr << name << ": note: the time is over (--proof-limit " << arguments.proofLimit
                   << "); what is given is proven so far\n";
     result.sampled = study.sampled();
-    result.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
 }
 
@@ -283,6 +283,9 @@ void addGradientCommand(CommandLine& line) {
         .within(1e-9, 1e9)
         .showDefault();
     command.option("--boxes", arguments->settings.boxLimit, "Boxes to look at before giving up")
+        .showDefault();
+    command.option("--threads", arguments->settings.threads, "Number of threads; 0 means all cores")
+        .within(0, 1024)
         .showDefault();
     command
         .option("--proof-limit", arguments->proofLimit,

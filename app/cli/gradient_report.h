@@ -13,7 +13,7 @@ namespace isoscope::cli {
 struct StudiedGradient {
     GradientBracket bracket;
     double sampled = 0;
-    double seconds = 0;             ///< of this thread
+    double seconds = 0;             ///< on the clock
     std::optional<double> setting;  ///< max_gradient in force, for isosurfaces
     std::string place;              ///< of an isosurface: file:line
     std::string verdict;

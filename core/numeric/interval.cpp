@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace isoscope {
@@ -13,8 +15,14 @@ namespace {
 constexpr double infinite = Interval::infinite;
 
 // Sums, products, quotients and roots are rounded to nearest, so the neighbours enclose the true result.
-double down(double a) { return std::nextafter(a, -infinite); }
-double up(double a) { return std::nextafter(a, infinite); }
+// As std::nextafter(), which is a call of the library.
+double up(double a) {
+    if (!(a < infinite)) return a;
+    if (a == 0) return std::numeric_limits<double>::denorm_min();
+    const auto bits = std::bit_cast<std::int64_t>(a);
+    return std::bit_cast<double>(a > 0 ? bits + 1 : bits - 1);
+}
+double down(double a) { return -up(-a); }
 
 // The standard library's functions are within 2 units in the last place; this is more than 4.
 double libraryError(double a) { return std::abs(a) * 1e-15 + std::numeric_limits<double>::denorm_min(); }

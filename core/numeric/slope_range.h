@@ -23,6 +23,8 @@ struct SlopeRange {
     }
     /// The largest magnitude.
     double size() const { return std::max(-low, high); }
+    /// Whether it holds 0 alone: a slope that is exactly none.
+    bool isZero() const { return low == 0 && high == 0; }
     /// The smallest magnitude.
     double gap() const { return low > 0 ? low : high < 0 ? -high : 0; }
 };
@@ -35,16 +37,21 @@ inline double lowered(double a) { return a - (std::abs(a) * 0x1p-52 + outwards);
 inline double raised(double a) { return a + (std::abs(a) * 0x1p-52 + outwards); }
 
 inline SlopeRange operator-(const SlopeRange& a) { return {-a.high, -a.low}; }
+/// Sums that underflow are exact.
 inline SlopeRange operator+(const SlopeRange& a, const SlopeRange& b) {
-    return {lowered(a.low + b.low), raised(a.high + b.high)};
+    const double low = a.low + b.low, high = a.high + b.high;
+    return {low - std::abs(low) * 0x1p-52, high + std::abs(high) * 0x1p-52};
 }
 inline SlopeRange operator-(const SlopeRange& a, const SlopeRange& b) { return a + -b; }
+/// Nothing times what is finite is exactly nothing.
 inline SlopeRange operator*(const SlopeRange& a, const SlopeRange& b) {
+    if ((a.isZero() && b.isFinite()) || (b.isZero() && a.isFinite())) return {};
     const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
     return {lowered(std::min(std::min(p, q), std::min(r, s))),
             raised(std::max(std::max(p, q), std::max(r, s)))};
 }
 inline SlopeRange operator*(double c, const SlopeRange& a) {
+    if (a.isZero() && std::isfinite(c)) return {};
     return c < 0 ? SlopeRange{lowered(c * a.high), raised(c * a.low)}
                  : SlopeRange{lowered(c * a.low), raised(c * a.high)};
 }

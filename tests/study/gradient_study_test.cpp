@@ -243,6 +243,52 @@ class GradientStudyTest : public QObject {
         QVERIFY(!study.step(500));
     }
 
+    /// Boxes are shared out, answers are not: to the last bit.
+    void threadsDoNotChangeTheBracket() {
+        for (const char* body :
+             {"f_noise3d(x*5,y*5,z*5)", "max(x*x+y*y*y, z*z)-1", "f_helix1(x,y,z,1,5,0.1,1,1,2,0)",
+              "floor(2*x)*y+sin(9*z)", "sqrt(x*x+y*y)*z", "1/(x*x+y)"}) {
+            GradientStudySettings settings{0.01, 20'000};
+            const GradientBracket expected = bracketOf(body, unitBox, settings);
+            for (const int threads : {2, 5}) {
+                settings.threads = threads;
+                const GradientBracket b = bracketOf(body, unitBox, settings);
+                QVERIFY2(b.state == expected.state && b.boxes == expected.boxes, body);
+                QVERIFY2(b.lower == expected.lower && b.upper == expected.upper, body);
+                QVERIFY2(b.place == expected.place && b.beside.has_value() == expected.beside.has_value(),
+                         body);
+                if (b.beside) QVERIFY2(b.beside->upper == expected.beside->upper, body);
+            }
+        }
+    }
+
+    /// A loop of a million steps would hold the other threads for minutes.
+    void aStopReachesEveryThread() {
+        const StudiedFunction f("sum(i, 1, 9000, sin(i*x+y)*cos(i*z)/i)");
+        GradientStudy study(f.tape, f.parameters, unitBox, {.threads = 4});
+        std::stop_source source;
+        std::jthread timer([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+            source.request_stop();
+        });
+        const LoopStop loops(source.get_token());
+        const auto begin = std::chrono::steady_clock::now();
+        study.run(source.get_token());
+        QVERIFY(study.bracket().settled());
+        QVERIFY(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+    }
+
+    /// 3e-151 was told beside the jumps of a checkerboard: what rounding outwards leaves of nothing.
+    void noSlopeIsExactlyNone() {
+        for (const char* body :
+             {"f_checker(x*3,y*3,z*3)", "floor(3*x)*2+mod(floor(y*y),2)", "select(x-y*z,1,2)"}) {
+            const GradientBracket b = bracketOf(body, unitBox);
+            QCOMPARE(b.state, GradientState::unbounded);
+            QVERIFY2(b.beside && b.beside->state == GradientState::tight, body);
+            QCOMPARE(b.beside->upper, 0.0);
+        }
+    }
+
     void stopsOnRequestAndKeepsWhatIsProven() {
         const StudiedFunction f("f_noise3d(x*30,y*30,z*30)");
         GradientStudy study(f.tape, f.parameters, unitBox);

@@ -101,7 +101,8 @@ class VerdictStudy : public QObject {
     bool stopped_ = false;  ///< by the user, until another scene comes
     std::uint64_t generation_ = 0;
 
-    std::shared_ptr<GradientProofs> proofs_ = std::make_shared<GradientProofs>();
+    std::shared_ptr<GradientProofs> proofs_ =
+        std::make_shared<GradientProofs>(GradientStudySettings{.threads = 0});
     std::vector<std::shared_ptr<GradientProof>> lastProofs_;  ///< of the job before
     std::atomic<std::uint64_t> slices_{0};
     std::atomic<std::uint64_t> views_{0};

@@ -57,7 +57,8 @@ IntervalGradient hazardous(const Interval& value, std::uint8_t axes, GradientHaz
 
 double lengthAbove(const std::array<SlopeRange, 3>& v) {
     double sum = 0;
-    for (const SlopeRange& range : v) sum = raised(sum + raised(range.size() * range.size()));
+    for (const SlopeRange& range : v)
+        if (!range.isZero()) sum = raised(sum + raised(range.size() * range.size()));
     return rootAbove(sum);
 }
 

@@ -17,4 +17,6 @@ LoopStop::~LoopStop() { innermost = outer_; }
 
 bool LoopStop::requested() { return innermost && innermost->stop_.stop_requested(); }
 
+std::stop_token LoopStop::current() { return innermost ? innermost->stop_ : std::stop_token(); }
+
 }  // namespace isoscope

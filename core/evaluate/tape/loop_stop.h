@@ -19,6 +19,8 @@ class LoopStop {
 
     /// Whether the loops of this thread are to end now.
     static bool requested();
+    /// What ends the loops of this thread, for another thread that works for it; none if nothing does.
+    static std::stop_token current();
 
   private:
     std::stop_token stop_;

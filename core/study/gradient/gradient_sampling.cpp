@@ -50,7 +50,7 @@ bool GradientStudy::samplePoints() {
     std::vector<ValueAndGradient> found(count);
     for (unsigned i = 0; i < count; i += batch) {
         const auto part = [&](auto& all) { return std::span(all).subspan(i, batch); };
-        gradients_.evaluate(part(x), part(y), part(z), part(found));
+        examiner().gradients().evaluate(part(x), part(y), part(z), part(found));
         if (LoopStop::requested()) return false;
     }
     std::vector<std::pair<double, unsigned>> steepest;
@@ -113,10 +113,10 @@ double GradientStudy::steepestAround(const glm::dvec3& place, double distance) {
 /// Whether values near `p` rise about as the gradient there says. Close to where a formula ends its gradient
 /// may be made of rounding errors: (1 + sin u)^0.77 has slopes of thousands where its values hardly change.
 bool GradientStudy::isConfirmed(const glm::dvec3& p, double length, double reach) {
-    const auto g = gradients_.evaluate(p.x, p.y, p.z).gradient;
+    const auto g = examiner().gradients().evaluate(p.x, p.y, p.z).gradient;
     const glm::dvec3 step = reach / length * glm::dvec3(g[0], g[1], g[2]);
     const glm::dvec3 a = p - step, b = p + step;
-    const double fa = values_.evaluate(a.x, a.y, a.z), fb = values_.evaluate(b.x, b.y, b.z);
+    const double fa = examiner().valueAt(a), fb = examiner().valueAt(b);
     // At the end of what is defined, or of what doubles hold, there is nothing to compare.
     if (!std::isfinite(fa) || !std::isfinite(fb)) return true;
     const double rounding = 1e-14 * (1 + std::abs(fa) + std::abs(fb));
@@ -129,7 +129,7 @@ void GradientStudy::lookForSingularities() {
     for (const glm::dvec3& place : summits_) {
         if (bracket_.state != GradientState::running) return;
         const GradientBox box{place - tiny, place + tiny};
-        const GradientHazard hazard = intervals_.evaluate(box.intervals()).hazard;
+        const GradientHazard hazard = examiner().intervals().evaluate(box.intervals()).hazard;
         if (hazard > GradientHazard::jump) isSingular({box, 0, 0, hazard});
     }
 }
@@ -150,79 +150,6 @@ bool GradientStudy::isSingular(const Region& region) {
     if ((!grows && !overflows) || LoopStop::requested()) return false;
     setSingular(region.hazard, place);
     return true;
-}
-
-bool GradientStudy::findJump(const GradientBox& box, const std::array<SlopeRange, 3>& slope) {
-    if (beside_) return false;
-    const glm::dvec3 c = box.center();
-    const auto at = [&](int x, int y, int z) {
-        const auto along = [](int side, double low, double middle, double high) {
-            return side < 0 ? low : side > 0 ? high : middle;
-        };
-        return glm::dvec3(along(x, box.low.x, c.x, box.high.x), along(y, box.low.y, c.y, box.high.y),
-                          along(z, box.low.z, c.z, box.high.z));
-    };
-    constexpr int ends[7][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1}, {1, 1, 1},
-                                {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
-    for (const auto& e : ends)
-        if (jumpsBetween(at(e[0], e[1], e[2]), at(-e[0], -e[1], -e[2]), slope)) return true;
-    return false;
-}
-
-/// Holds the value at a point in real arithmetic.
-Interval GradientStudy::valueAt(const glm::dvec3& p) {
-    const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
-    return intervals_.evaluate(point).value;
-}
-
-/// Whether the values at both ends differ by more than the slopes between them allow; then the place is found
-/// by halving, for one half at least differs too much as well.
-bool GradientStudy::jumpsBetween(const glm::dvec3& a, const glm::dvec3& b,
-                                 const std::array<SlopeRange, 3>& slope) {
-    if (!domain_.contains(a) || !domain_.contains(b)) return false;
-    const auto value = [&](const glm::dvec3& p) { return values_.evaluate(p.x, p.y, p.z); };
-    const auto climb = [&](const glm::dvec3& p, const glm::dvec3& q) {
-        const glm::dvec3 way = glm::abs(p - q);
-        return (slope[0].size() * way.x + slope[1].size() * way.y + slope[2].size() * way.z) * (1 + 1e-9);
-    };
-    glm::dvec3 first = a, last = b;
-    double f = value(first), l = value(last);
-    if (!(std::abs(f - l) > climb(a, b) + 1e-9 * (std::abs(f) + std::abs(l)))) return false;
-    const auto excess = [&](const glm::dvec3& p, double fp, const glm::dvec3& q, double fq) {
-        return std::abs(fp - fq) - climb(p, q);
-    };
-    for (int halvings = 0; halvings < 60; ++halvings) {
-        const glm::dvec3 middle = 0.5 * first + 0.5 * last;
-        const double m = value(middle);
-        if (!std::isfinite(m)) break;
-        if (excess(first, f, middle, m) >= excess(middle, m, last, l)) {
-            last = middle;
-            l = m;
-        } else {
-            first = middle;
-            f = m;
-        }
-    }
-    if (!isJump(first, glm::normalize(b - a)) || LoopStop::requested()) return false;
-    setSingular(GradientHazard::jump, first);
-    return true;
-}
-
-/// A proof, for what was found by doubles may be made of their roundings: whether the values at both sides of
-/// a place differ by more than the slopes between them.
-bool GradientStudy::isJump(const glm::dvec3& place, const glm::dvec3& direction) {
-    const double reach = 1e-9 * domain_.box().width();
-    const glm::dvec3 p = domain_.nearest(place - reach * direction),
-                     q = domain_.nearest(place + reach * direction);
-    const GradientBox between{glm::min(p, q), glm::max(p, q)};
-    const IntervalGradient whole = intervals_.evaluate(between.intervals());
-    if (whole.hazard > GradientHazard::jump) return false;
-    const std::array<SlopeRange, 3> ways = GradientBox{p, p}.waysFrom(q);
-    double climb = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-        climb = raised(climb + raised(whole.slope[k].size() * ways[k].size()));
-    const Interval first = valueAt(p), last = valueAt(q);
-    return std::max(first.low - last.high, last.low - first.high) > climb * (1 + 1e-9);
 }
 
 /// Looks into one box that may hold a jump; false when there is none left to look into. One in 16 is
@@ -253,9 +180,13 @@ bool GradientStudy::diveInto(GradientBox box) {
             GradientBox half = box;
             (lower ? half.high : half.low)[axis] = middle;
             if (domain_.misses(half)) continue;
-            const IntervalGradient whole = intervals_.evaluate(half.intervals());
+            const IntervalGradient whole = examiner().intervals().evaluate(half.intervals());
             if (whole.hazard != GradientHazard::jump) continue;
-            if (findJump(half, whole.slope)) return true;
+            examiner().ask(question());
+            if (const auto jump = examiner().findJump(half, whole.slope)) {
+                setSingular(GradientHazard::jump, *jump);
+                return true;
+            }
             box = half;
             open = true;
             break;

@@ -2,8 +2,10 @@
 #include "core/study/gradient/gradient_study.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <thread>
 
 #include "core/evaluate/prepared_function.h"
 #include "core/evaluate/tape/loop_stop.h"
@@ -21,24 +23,17 @@ constexpr int probeLimit = 60;
 constexpr int divingPace = 200, earlyDives = 60;
 
 /// One in so many boxes goes to what is beside infinite gradients.
-constexpr std::uint64_t besidePart = 5;
+constexpr std::uint64_t besidePart = 2;
 
-/// Choices whose cases are looked at one by one: in boxes below a part of the container, and in larger ones.
-constexpr std::size_t mostOpenChoices = 4, mostInLargeBoxes = 1;
-constexpr double largeBox = 1.0 / 48;
+/// The part of the width that bounds may take, so that roundings find room in the rest.
+constexpr double targetPart = 0.999;
 
-double lengthOf(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
-
-/// An upper bound of the largest magnitude of an eigenvalue.
-double normAbove(const std::array<SlopeRange, 6>& matrix) {
-    double widest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        double row = 0;
-        for (std::size_t j = 0; j < 3; ++j) row = raised(row + matrix[bendIndex(i, j)].size());
-        widest = std::max(widest, row);
-    }
-    return widest;
-}
+/// Boxes that are halved at the same time. Not by the number of threads, on which no answer depends.
+constexpr std::size_t halvedTogether = 256;
+/// Fewer parts are not worth waking a thread.
+constexpr std::size_t sharedParts = 8;
+/// Memory for the evaluators of threads beside the first.
+constexpr std::size_t mostMemory = std::size_t(64) << 20;
 
 int axisToHalve(const GradientBox& box, const glm::dvec3& influence) {
     const glm::dvec3 extent = box.high - box.low;
@@ -54,6 +49,14 @@ int axisToHalve(const GradientBox& box, const glm::dvec3& influence) {
     return best;
 }
 
+/// Fewer than wanted where each takes much memory.
+int threadsFor(const PreparedFunction& function, int wanted) {
+    const std::size_t memory = (1 + function.tape()->slotCount()) * sizeof(IntervalGradient);
+    const int most = static_cast<int>(1 + std::min<std::size_t>(mostMemory / memory, 63));
+    if (wanted <= 0) wanted = static_cast<int>(std::thread::hardware_concurrency());
+    return std::clamp(wanted, 1, most);
+}
+
 }  // namespace
 
 GradientStudy::GradientStudy(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
@@ -62,11 +65,10 @@ GradientStudy::GradientStudy(std::shared_ptr<const Tape> tape, std::span<const d
 
 GradientStudy::GradientStudy(const std::shared_ptr<const PreparedFunction>& function,
                              const Container& container, GradientStudySettings settings)
-    : domain_(container),
-      settings_(settings),
-      intervals_(*function),
-      gradients_(function),
-      values_(function) {}
+    : domain_(container), settings_(settings), workers_(threadsFor(*function, settings.threads)) {
+    for (int k = 0; k < workers_.threads(); ++k)
+        examiners_.push_back(std::make_unique<BoxExaminer>(function, domain_, leftOut_));
+}
 
 const GradientBracket& GradientStudy::run(std::stop_token stop) {
     const LoopStop loops(stop);
@@ -81,29 +83,32 @@ const GradientBracket& GradientStudy::run(std::stop_token stop) {
 bool GradientStudy::step(std::uint64_t boxes, std::stop_token stop) {
     if (bracket().settled()) return false;
     if (!begun_) begin();
-    const std::uint64_t end = intervals_.evaluations() + boxes;
+    const std::uint64_t end = evaluations() + boxes;
     while (true) {
         const bool boundless = bracket_.state == GradientState::unbounded ||
                                (bracket_.state == GradientState::unproven && unresolved_);
         if (boundless && !beside_) beginBeside();
-        if (bracket_.state != GradientState::running || intervals_.evaluations() >= end) break;
+        if (bracket_.state != GradientState::running || evaluations() >= end) break;
         if (!begun_ || stop.stop_requested() || LoopStop::requested()) break;
-        if (intervals_.evaluations() >= (beside_ ? besideLimit_ : settings_.boxLimit))
+        if (evaluations() >= (beside_ ? besideLimit_ : settings_.boxLimit))
             finish(GradientState::unproven);
         else
-            work();
+            work(stop);
     }
     if (begun_ && bracket_.state == GradientState::running) report();
     publish();
     return !bracket().settled();
 }
 
-/// Takes the next box.
-void GradientStudy::work() {
+/// Takes the next boxes. A stop leaves those that no thread has begun with.
+void GradientStudy::work(const std::stop_token& stop) {
     if (!boundless_.empty() && probes_ < probeLimit) {
-        const Region region = boundless_.back();
-        boundless_.pop_back();
-        halve(region);
+        // Towards one place, or, where such places are left out, all over.
+        const std::size_t taken = beside_ ? std::min(halvedTogether, boundless_.size()) : 1;
+        const std::vector<Region> last(boundless_.end() - static_cast<std::ptrdiff_t>(taken),
+                                       boundless_.end());
+        boundless_.resize(boundless_.size() - taken);
+        halve(last, stop);
     } else if (unresolved_) {
         // Nothing has an upper bound any more.
         finish(GradientState::unproven);
@@ -113,20 +118,35 @@ void GradientStudy::work() {
     } else if (queue_.empty()) {
         if (!checkSeam()) finish(mayJump() || !isNarrow() ? GradientState::unproven : GradientState::tight);
     } else {
-        const Region region = queue_.top();
-        queue_.pop();
-        queuedJumps_ -= region.hazard == GradientHazard::jump ? 1 : 0;
-        if (leftOut_.holds(region.box)) return;
-        if (region.bound <= target()) {
-            dropped_ = std::max(dropped_, region.bound);
-            if (region.hazard == GradientHazard::jump) seams_.push_back(region);
-        } else {
-            // A jump is worth being found before the bracket is narrow.
-            const bool mayDive = region.hazard == GradientHazard::jump && ++jumpsSeen_ % divingPace == 0;
-            if (mayDive && dives_++ < earlyDives && diveInto(region.box)) return;
-            halve(region);
+        std::vector<Region> steepest;
+        // Those that are hardly less steep than the first: what is far less steep may not matter once a jump
+        // is found. One alone that is followed down to a point, which may end the search.
+        const double least = target() + 0.5 * (queue_.top().bound - target());
+        const bool nearPoint = queue_.top().box.width() < 0x1p-16 * domain_.box().width();
+        const std::size_t most = nearPoint ? 1 : halvedTogether;
+        while (!queue_.empty() && steepest.size() < most) {
+            const Region region = queue_.top();
+            if (!steepest.empty() && region.bound < least) break;
+            queue_.pop();
+            queuedJumps_ -= region.hazard == GradientHazard::jump ? 1 : 0;
+            if (isWorthHalving(region)) steepest.push_back(region);
+            if (bracket_.state != GradientState::running) break;
         }
+        halve(steepest, stop);
     }
+}
+
+/// Whether a region of the queue is open. If not, it is done with.
+bool GradientStudy::isWorthHalving(const Region& region) {
+    if (leftOut_.holds(region.box)) return false;
+    if (region.bound <= target()) {
+        dropped_ = std::max(dropped_, region.bound);
+        if (region.hazard == GradientHazard::jump) seams_.push_back(region);
+        return false;
+    }
+    // A jump is worth being found before the bracket is narrow.
+    const bool mayDive = region.hazard == GradientHazard::jump && ++jumpsSeen_ % divingPace == 0;
+    return !(mayDive && dives_++ < earlyDives && diveInto(region.box));
 }
 
 void GradientStudy::begin() {
@@ -136,7 +156,7 @@ void GradientStudy::begin() {
     }
     if (!samplePoints()) return;
     lookForSingularities();
-    const double bound = bracket_.state == GradientState::running ? boundAroundCenter() : infinite;
+    const double bound = bracket_.state == GradientState::running ? examiner().boundAroundCenter() : infinite;
     if (bracket_.state == GradientState::running && LoopStop::requested()) return;
     begun_ = true;
     if (bracket_.state == GradientState::running) consider(domain_.box(), bound, GradientHazard::none);
@@ -147,7 +167,7 @@ void GradientStudy::report() {
     if (!queue_.empty()) upper = std::max(upper, queue_.top().bound);
     if (unresolved_ || !boundless_.empty()) upper = infinite;
     bracket_.upper = std::min(bracket_.upper, upper);
-    bracket_.boxes = intervals_.evaluations();
+    bracket_.boxes = evaluations();
     bracket_.seams = mayJump();
 }
 
@@ -174,7 +194,7 @@ void GradientStudy::beginBeside() {
     probes_ = 0;
     unresolved_ = false;
     leftOut_ = LeftOutCells(domain_.box());
-    besideLimit_ = std::min(settings_.boxLimit, intervals_.evaluations() + settings_.boxLimit / besidePart);
+    besideLimit_ = std::min(settings_.boxLimit, evaluations() + settings_.boxLimit / besidePart);
     consider(domain_.box(), infinite, GradientHazard::none);
 }
 
@@ -189,47 +209,82 @@ void GradientStudy::publish() {
     const double reach = leftOut_.empty() ? 0 : leftOut_.width();
     whole_.beside = GradientBeside{bracket_.lower, bracket_.upper, bracket_.place,
                                    bracket_.state, reach,          leftOut_.share()};
-    whole_.boxes = intervals_.evaluations();
+    whole_.boxes = evaluations();
 }
 
 void GradientStudy::setSingular(GradientHazard kind, const glm::dvec3& place) {
     bracket_.singularity = {kind, place};
     bracket_.place = place;
     bracket_.lower = bracket_.upper = infinite;
-    bracket_.boxes = intervals_.evaluations();
+    bracket_.boxes = evaluations();
     bracket_.state = GradientState::unbounded;
 }
 
-/// Looks at a box of which `known` is a bound and whose surroundings may hold what `hazard` says.
-void GradientStudy::consider(GradientBox box, double known, GradientHazard hazard) {
-    while (true) {
-        if (bracket_.state != GradientState::running || domain_.misses(box)) return;
-        const Finding finding = examine(box);
-        if (LoopStop::requested()) {
-            // Whatever was found.
-            putBack({box, known, axisToHalve(box, glm::dvec3(0)), hazard});
-            return;
-        }
-        if (finding.settled) return;
-        known = std::min(known, finding.bound);
-        if (finding.hazard == GradientHazard::jump && findJump(box, finding.slope)) return;
-        if (finding.shrunk) continue;
-        const Region region = regionOf(box, known, finding);
-        if (known == infinite) {
-            if (beside_ && box.width() <= leftOut_.width() * (1 + 1e-9))
-                leaveOut(box, finding.hazard);
-            else
-                putBack(region);
-            return;
-        }
-        if (known > target()) return putBack(region);
-        dropped_ = std::max(dropped_, known);
-        if (finding.hazard == GradientHazard::jump) seams_.push_back(region);
-        return;
-    }
+/// Looks at a box of which `bound` is known and whose surroundings may hold what `hazard` says.
+void GradientStudy::consider(const GradientBox& box, double bound, GradientHazard hazard) {
+    const BoxQuestion asked = question();
+    adopt(examiner().examine(box, bound, asked), hazard);
 }
 
-GradientStudy::Region GradientStudy::regionOf(const GradientBox& box, double bound, const Finding& finding) {
+/// Takes over what was found of a box in a neighbourhood with that hazard. Returns whether the box is done
+/// with.
+bool GradientStudy::adopt(const ExaminedBox& answer, GradientHazard hazard) {
+    if (bracket_.state != GradientState::running) return true;
+    const auto& [state, box, bound, finding, jump, steepest, casesTried, casesPaid] = answer;
+    accept(steepest);
+    for (unsigned k = 0; k < casesTried; ++k) casesPay_.note(k < casesPaid);
+    if (jump) {
+        setSingular(GradientHazard::jump, *jump);
+        return true;
+    }
+    if (state == ExaminedBox::State::stopped) {
+        putBack({box, bound, axisToHalve(box, glm::dvec3(0)), hazard});
+        return false;
+    }
+    if (state == ExaminedBox::State::done) return true;
+    const Region region = regionOf(box, bound, finding);
+    if (bound == infinite && beside_ && box.width() <= leftOut_.width() * (1 + 1e-9)) {
+        leaveOut(box, finding.hazard);
+        return true;
+    }
+    if (bound > target()) {
+        putBack(region);
+        return false;
+    }
+    dropped_ = std::max(dropped_, bound);
+    if (finding.hazard == GradientHazard::jump) seams_.push_back(region);
+    return true;
+}
+
+BoxQuestion GradientStudy::question() {
+    return {.steepest = bracket_.lower,
+            .target = target(),
+            .widening = 1 + targetPart * settings_.relativeWidth,
+            .beside = beside_,
+            .placesCount = !beside_ || besideSampled_,
+            .triesCases = casesPay_.tries()};
+}
+
+void GradientStudy::accept(const SteepPlace& found) {
+    if (found.length <= bracket_.lower) return;
+    bracket_.lower = found.length;
+    bracket_.place = found.place;
+}
+
+void GradientStudy::offerPoint(const glm::dvec3& point) {
+    examiner().ask(question());
+    examiner().offerPoint(point);
+    accept(examiner().steepest());
+}
+
+std::uint64_t GradientStudy::evaluations() const {
+    std::uint64_t all = 0;
+    for (const auto& examiner : examiners_) all += examiner->evaluations();
+    return all;
+}
+
+GradientStudy::Region GradientStudy::regionOf(const GradientBox& box, double bound,
+                                              const BoxFinding& finding) {
     Region region{box, bound, axisToHalve(box, finding.influence), finding.hazard};
     GradientBox half = box;
     half.high[region.axis] = 0.5 * box.low[region.axis] + 0.5 * box.high[region.axis];
@@ -245,287 +300,88 @@ std::size_t GradientStudy::distanceClass(double bound) const {
     return static_cast<std::size_t>(std::clamp(std::ilogb(std::max(excess, 1e-300)) + 10, 0, 15));
 }
 
-GradientStudy::Finding GradientStudy::examine(GradientBox& box) {
-    const IntervalGradient whole = intervals_.evaluate(box.intervals());
-    Finding finding;
-    finding.hazard = whole.hazard;
-    // Those are known to be there.
-    if (beside_ && whole.hazard == GradientHazard::jump) finding.hazard = GradientHazard::none;
-    finding.settled = whole.value.empty();
-    finding.bound = whole.steepness;
-    finding.slope = whole.slope;
-    for (int k = 0; k < 3; ++k)
-        if ((whole.axes >> k & 1) != 0) finding.influence[k] = box.high[k] - box.low[k];
-    if (finding.settled || !whole.bounded() || whole.value.maybeUndefined) return finding;
-    // Slopes at a point gain nothing where several pieces bend much over the box, or where the box is done
-    // with.
-    const double turn = normAbove(whole.bend) * 0.5 * glm::length(box.high - box.low);
-    const bool pays = !whole.pieced || (turn < 0.1 * whole.steepness && whole.steepness > target());
-    if (whole.smooth && pays)
-        useCurvature(box, whole, finding);
+/// Halves regions, or quarters them, and looks at the parts, each by the next thread that has time. What is
+/// found of them is taken over in their order.
+void GradientStudy::halve(std::span<const Region> regions, const std::stop_token& stop) {
+    std::vector<Part> parts;
+    for (const Region& region : regions)
+        if (bracket_.state != GradientState::running)
+            putBack(region);
+        else if (isDivisible(region))
+            addParts(region, parts);
+    std::vector<ExaminedBox> answers(parts.size());
+    std::atomic<std::size_t> next{0};
+    const std::stop_token loops = LoopStop::current();
+    const auto work = [&](std::size_t worker) {
+        const LoopStop stopLoops(loops);
+        for (std::size_t i = next++; i < parts.size(); i = next++) {
+            const Part& part = parts[i];
+            answers[i].box = part.box;
+            answers[i].bound = part.bound;
+            answers[i].state = ExaminedBox::State::stopped;
+            if (!stop.stop_requested())
+                answers[i] = examiners_[worker]->examine(part.box, part.bound, part.question);
+        }
+    };
+    if (parts.size() < sharedParts)
+        work(0);
     else
-        useCases(box, whole, finding);
-    return finding;
-}
-
-glm::dvec3 GradientStudy::middleOf(const GradientBox& box) const {
-    const glm::dvec3 p = domain_.nearest(box.center());
-    for (int k = 0; k < 3; ++k)
-        if (p[k] < box.low[k] || p[k] > box.high[k]) return box.center();
-    return p;
-}
-
-/// Of a function with the derivatives `piece` over the box and `at` at its point `p`. Sets `growth` to half
-/// the gradient of the square of the length.
-double GradientStudy::curvatureBound(const GradientDomain& domain, const GradientBox& box,
-                                     const glm::dvec3& p, const IntervalGradient& piece,
-                                     const IntervalGradient& at, std::array<SlopeRange, 3>& growth,
-                                     std::span<const Margin> margins) {
-    std::array<SlopeRange, 3> slope = piece.slope;
-    const std::array<SlopeRange, 3> ways = box.waysFrom(p);
-    for (std::size_t i = 0; i < 3; ++i) {
-        SlopeRange from = at.slope[i];
-        for (std::size_t j = 0; j < 3; ++j) from = from + piece.bend[bendIndex(i, j)] * ways[j];
-        const SlopeRange both = meet(slope[i], from);
-        if (both.low <= both.high) slope[i] = both;
-    }
-    growth = {};
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) growth[i] = growth[i] + piece.bend[bendIndex(i, j)] * slope[j];
-    const double length = std::min(at.steepness, gradient_rules::lengthAbove(at.slope));
-    std::array<SlopeRange, 3> change;
-    for (std::size_t i = 0; i < 3; ++i) change[i] = 2 * growth[i];
-    double grown = domain.advance(change, box, p), added = 0;
-    // What is not below 0 may be added, times any factor: with Lagrange's the growth towards the edge of the
-    // piece is gone.
-    for (const Margin& margin : margins) {
-        double along = 0, squares = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double slopeInMiddle = 0.5 * margin.slope[i].low + 0.5 * margin.slope[i].high;
-            along += (0.5 * change[i].low + 0.5 * change[i].high) * slopeInMiddle;
-            squares += slopeInMiddle * slopeInMiddle;
-        }
-        const double factor = -along / squares;
-        if (!(factor > 0) || !std::isfinite(factor)) continue;
-        std::array<SlopeRange, 3> next;
-        for (std::size_t i = 0; i < 3; ++i) next[i] = change[i] + factor * margin.slope[i];
-        const double start = raised(added + raised(factor * margin.at));
-        const double less = raised(start + domain.advance(next, box, p));
-        if (!(less < grown)) continue;
-        grown = less;
-        added = start;
-        change = next;
-    }
-    const double square = raised(raised(length * length) + grown);
-    return std::min({piece.steepness, gradient_rules::lengthAbove(slope), rootAbove(square)});
-}
-
-/// Looks at the corner where the length has grown most.
-void GradientStudy::offerSteepest(const GradientBox& box, const std::array<SlopeRange, 3>& growth) {
-    const glm::dvec3 rise(growth[0].low + growth[0].high, growth[1].low + growth[1].high,
-                          growth[2].low + growth[2].high);
-    glm::dvec3 corner;
-    for (int k = 0; k < 3; ++k) corner[k] = rise[k] > 0 ? box.high[k] : box.low[k];
-    corner = domain_.nearest(corner);
-    if (steepnessAt(corner) > bracket_.lower * (1 + 1e-9)) offerPoint(corner);
-}
-
-void GradientStudy::useCurvature(GradientBox& box, const IntervalGradient& whole, Finding& finding) {
-    const glm::dvec3 p = middleOf(box);
-    const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
-    // Of all pieces, whichever the point belongs to.
-    const std::size_t choices = intervals_.openChoices();
-    const IntervalGradient at =
-        whole.pieced ? intervals_.evaluatePieces(point) : intervals_.evaluateSlopes(point);
-    if (!at.bounded()) return;
-    if (!whole.pieced) offerGradient(p, at);
-
-    std::array<SlopeRange, 3> growth{};
-    finding.bound = std::min(finding.bound, curvatureBound(domain_, box, p, whole, at, growth));
-    finding.influence *= glm::dvec3(growth[0].size(), growth[1].size(), growth[2].size());
-    if (whole.pieced) tryPieces(box, finding, choices);
-    // Other points end what is known of the choices of the box.
-    if (whole.pieced && steepnessAt(p) > bracket_.lower * (1 + 1e-9)) offerPoint(p);
-    offerSteepest(box, growth);
-    // Where one piece takes over from another the length may fall.
-    if (!whole.pieced) useMonotony(box, growth, finding);
-}
-
-/// Where there are no second derivatives: by those of a fold, and of the cases of choices.
-void GradientStudy::useCases(const GradientBox& box, const IntervalGradient& whole, Finding& finding) {
-    if (finding.bound <= target()) return;
-    const auto* given = intervals_.fold();
-    const std::optional<IntervalGradientEvaluator::Fold> fold = given ? std::optional(*given) : std::nullopt;
-    // Those in loops are not counted.
-    const std::size_t choices = intervals_.openChoices();
-    std::array<SlopeRange, 3> growth{};
-    if (whole.pieced) growth = tryPieces(box, finding, choices);
-    if (fold && finding.bound > target()) useFold(box, *fold, finding);
-    if (finding.bound <= target()) return;
-    if (const glm::dvec3 p = middleOf(box); steepnessAt(p) > bracket_.lower * (1 + 1e-9)) offerPoint(p);
-    if (choices > 0) offerSteepest(box, growth);
-}
-
-/// usePieces() where there are few choices and it is worth its evaluations.
-std::array<SlopeRange, 3> GradientStudy::tryPieces(const GradientBox& box, Finding& finding,
-                                                   std::size_t choices) {
-    const double before = finding.bound;
-    const bool large = box.width() > largeBox * domain_.box().width();
-    if (before <= target() || choices == 0 || choices > (large ? mostInLargeBoxes : mostOpenChoices))
-        return {};
-    if (!casesPay_.tries()) return {};
-    const std::array<SlopeRange, 3> growth = usePieces(box, finding, choices);
-    // Halving the box three times, for about as many evaluations, takes half of the excess away.
-    casesPay_.note(finding.bound - target() < 0.5 * (before - target()));
-    return growth;
-}
-
-/// The bound of the function of the operand that stands for two or three coordinates, where these alone have
-/// no second derivatives: a surface of revolution at its axis.
-void GradientStudy::useFold(const GradientBox& box, const IntervalGradientEvaluator::Fold& fold,
-                            Finding& finding) {
-    const double speed = fold.steepness;
-    if (fold.value.empty() || fold.value.maybeUndefined || !(speed > 0 && std::isfinite(speed))) return;
-    const IntervalGradient whole = intervals_.evaluateFolded(box.intervals(), fold);
-    if (!whole.bounded() || whole.value.empty() || whole.value.maybeUndefined) return;
-    double bound = whole.steepness;
-    if (whole.smooth && !whole.pieced) {
-        const double middle = 0.5 * fold.value.low + 0.5 * fold.value.high;
-        glm::dvec3 p = box.center();
-        const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
-        const IntervalGradient at =
-            intervals_.evaluateFolded(point, {Interval::point(middle), speed, fold.axis});
-        // Along the axis of the fold from its middle.
-        GradientBox folded = box;
-        folded.low[fold.axis] = lowered(lowered((fold.value.low - middle) / speed));
-        folded.high[fold.axis] = raised(raised((fold.value.high - middle) / speed));
-        p[fold.axis] = 0;
-        std::array<SlopeRange, 3> growth{};
-        if (at.bounded())
-            bound = std::min(bound, curvatureBound(GradientDomain(ContainerBox{folded.low, folded.high}),
-                                                   folded, p, whole, at, growth));
-    }
-    finding.bound = std::min(finding.bound, bound);
-}
-
-/// The bound of the case with the largest, and half the gradient of its square. Nothing is known of a case
-/// that has no bound.
-std::array<SlopeRange, 3> GradientStudy::usePieces(const GradientBox& box, Finding& finding,
-                                                   std::size_t choices) {
-    const auto range = box.intervals();
-    const glm::dvec3 p = middleOf(box);
-    const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
-    const unsigned pieces = 1U << choices;
-    double steepest = 0;
-    std::array<SlopeRange, 3> steepestGrowth{};
-    for (unsigned sides = 0; sides < pieces; ++sides) {
-        const IntervalGradient piece = intervals_.evaluatePiece(range, sides);
-        std::vector<IntervalGradient> margins(intervals_.margins().begin(), intervals_.margins().end());
-        if (std::ranges::any_of(margins, [](const auto& margin) { return margin.value.high < 0; })) continue;
-        if (!piece.bounded() || piece.value.empty() || piece.value.maybeUndefined) return {};
-        double bound = piece.steepness;
-        std::array<SlopeRange, 3> growth{};
-        if (piece.smooth && !piece.pieced && bound > target()) {
-            const IntervalGradient at = intervals_.evaluatePiece(point, sides);
-            if (at.bounded()) {
-                std::vector<Margin> known;
-                for (std::size_t k = 0; k < margins.size(); ++k)
-                    if (margins[k].bounded() && intervals_.margins()[k].bounded())
-                        known.push_back({intervals_.margins()[k].value.high, margins[k].slope});
-                bound = curvatureBound(domain_, box, p, piece, at, growth, known);
-            }
-        }
-        if (bound < steepest) continue;
-        steepest = bound;
-        steepestGrowth = growth;
-    }
-    finding.bound = std::min(finding.bound, steepest);
-    return steepestGrowth;
-}
-
-void GradientStudy::useMonotony(GradientBox& box, const std::array<SlopeRange, 3>& growth,
-                                Finding& finding) const {
-    if (!domain_.encloses(box)) return;
-    for (int k = 0; k < 3; ++k) {
-        if (box.low[k] == box.high[k]) continue;
-        const SlopeRange& along = growth[static_cast<std::size_t>(k)];
-        const bool rises = along.low > 0, falls = along.high < 0;
-        if (!rises && !falls) continue;
-        // The face where it is longest belongs to a neighbour, which may be left out, or to the container's
-        // wall.
-        const double face = rises ? box.high[k] : box.low[k];
-        const double wall = rises ? domain_.box().high[k] : domain_.box().low[k];
-        if (!beside_ && (domain_.isBall() || face != wall)) {
-            finding.settled = true;
-            return;
-        }
-        box.low[k] = box.high[k] = face;
-        finding.shrunk = true;
+        workers_.run(examiners_.size(), work);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const bool isDone = adopt(answers[i], parts[i].hazard);
+        if (double* done = parts[i].done) *done += ((isDone ? 1 : 0) - *done) / 64;
     }
 }
 
-double GradientStudy::boundAroundCenter() {
-    const glm::dvec3 c = domain_.isBall() ? domain_.ballCenter() : domain_.box().center();
-    double reach = raised(domain_.radius());
-    if (!domain_.isBall()) reach = raised(glm::length(domain_.box().high - c) * (1 + 1e-15));
-    const std::array<Interval, 3> point{Interval::point(c.x), Interval::point(c.y), Interval::point(c.z)};
-    const IntervalGradient whole = intervals_.evaluate(domain_.box().intervals());
-    const IntervalGradient& at = intervals_.evaluatePieces(point);
-    if (!whole.bounded() || !whole.smooth || whole.value.maybeUndefined || !at.bounded()) return infinite;
-    return raised(at.steepness + raised(normAbove(whole.bend) * reach));
-}
-
-void GradientStudy::halve(const Region& region) {
+/// Whether a region can be halved. If not, it is dealt with.
+bool GradientStudy::isDivisible(const Region& region) {
     constexpr double smallest = 0x1p-42;
-    const int axis = region.axis;
-    const double middle = 0.5 * region.box.low[axis] + 0.5 * region.box.high[axis];
-    const bool divisible = middle > region.box.low[axis] && middle < region.box.high[axis];
+    const double middle = 0.5 * region.box.low[region.axis] + 0.5 * region.box.high[region.axis];
+    const bool divisible = middle > region.box.low[region.axis] && middle < region.box.high[region.axis];
     const bool tiny = region.box.width() <= smallest * domain_.box().width();
     if (beside_ && !divisible && region.bound == infinite) {
         leaveOut(region.box, region.hazard);
-        return;
+        return false;
     }
     if (region.hazard > GradientHazard::jump && (tiny || !divisible)) {
-        if (isSingular(region)) return;
-        if (LoopStop::requested()) return putBack(region);
+        if (isSingular(region)) return false;
+        if (LoopStop::requested()) {
+            putBack(region);
+            return false;
+        }
         if (!unresolved_) bracket_.singularity = {region.hazard, domain_.nearest(region.box.center())};
         unresolved_ = true;
         ++probes_;
         // The neighbours of this place are hardly different: go on with the largest box.
-        if (boundless_.empty()) return;
+        if (boundless_.empty()) return false;
         boundless_.push_back(boundless_.front());
         boundless_.pop_front();
-        return;
+        return false;
     }
-    if (!divisible || (tiny && region.bound < infinite)) {
-        // Its bound does not fall, and so need not that of others.
-        dropped_ = std::max(dropped_, region.bound);
-        stuck_ = stuck_ || region.hazard == GradientHazard::jump;
-        return;
-    }
-    if (!leftOut_.empty() && steepnessAt(region.box.center()) > bracket_.lower * (1 + 1e-9))
-        offerPoint(region.box.center());
-    GradientBox first = region.box, second = region.box;
-    first.high[axis] = second.low[axis] = middle;
+    if (divisible && !(tiny && region.bound < infinite)) return true;
+    // Its bound does not fall, and so need not that of others.
+    dropped_ = std::max(dropped_, region.bound);
+    stuck_ = stuck_ || region.hazard == GradientHazard::jump;
+    return false;
+}
+
+void GradientStudy::addParts(const Region& region, std::vector<Part>& parts) {
+    const auto halvesOf = [](const GradientBox& box, int axis) {
+        std::array<GradientBox, 2> halves{box, box};
+        halves[0].high[axis] = halves[1].low[axis] = 0.5 * box.low[axis] + 0.5 * box.high[axis];
+        return halves;
+    };
     // Halves that are seldom done with are not worth being looked at before they are halved.
     double& done = done_[distanceClass(region.bound)];
-    const int next = region.nextAxis;
-    if (region.bound < infinite && next >= 0 && region.hazard == GradientHazard::none && done < 0.5 &&
-        ++quarters_ % 16 != 0) {
-        for (const GradientBox& half : {first, second}) {
-            const double quarter = 0.5 * half.low[next] + 0.5 * half.high[next];
-            GradientBox a = half, b = half;
-            a.high[next] = b.low[next] = quarter;
-            consider(a, region.bound, region.hazard);
-            consider(b, region.bound, region.hazard);
+    const bool quarters = region.bound < infinite && region.nextAxis >= 0 &&
+                          region.hazard == GradientHazard::none && done < 0.5 && ++quarters_ % 16 != 0;
+    for (const GradientBox& half : halvesOf(region.box, region.axis)) {
+        if (!quarters) {
+            parts.push_back({half, region.bound, region.hazard, question(), &done});
+            continue;
         }
-        return;
-    }
-    for (const GradientBox& half : {first, second}) {
-        const std::size_t before = queue_.size() + boundless_.size();
-        consider(half, region.bound, region.hazard);
-        const bool isDone = queue_.size() + boundless_.size() == before;
-        done += ((isDone ? 1 : 0) - done) / 64;
+        for (const GradientBox& quarter : halvesOf(half, region.nextAxis))
+            parts.push_back({quarter, region.bound, region.hazard, question(), nullptr});
     }
 }
 
@@ -539,57 +395,12 @@ void GradientStudy::putBack(const Region& region) {
     queuedJumps_ += region.hazard == GradientHazard::jump ? 1 : 0;
 }
 
-void GradientStudy::offerGradient(const glm::dvec3& point, const IntervalGradient& at) {
-    if (!at.bounded() || at.value.empty() || !domain_.contains(point)) return;
-    // Before it is known what is left out no point counts.
-    if (beside_ && (!besideSampled_ || leftOut_.holds(point))) return;
-    const double length = gradient_rules::lengthBelow(at.slope);
-    if (length <= bracket_.lower || LoopStop::requested()) return;
-    bracket_.lower = length;
-    bracket_.place = point;
-}
-
-void GradientStudy::offerSlope(const glm::dvec3& point, const glm::dvec3& direction) {
-    const double reach = 1e-5 * domain_.box().width();
-    const glm::dvec3 a = domain_.nearest(point - reach * direction),
-                     b = domain_.nearest(point + reach * direction);
-    const double way = glm::distance(a, b) * (1 + 1e-14);
-    if (!(way > 0) || !domain_.contains(a) || !domain_.contains(b)) return;
-    const double fa = values_.evaluate(a.x, a.y, a.z), fb = values_.evaluate(b.x, b.y, b.z);
-    // The values agree with those of real arithmetic to better than this.
-    const double rounding = 1e-11 * (1 + std::abs(fa) + std::abs(fb));
-    const double slope = (std::abs(fa - fb) - rounding) / way;
-    if (!(slope > bracket_.lower) || !std::isfinite(slope) || LoopStop::requested()) return;
-    bracket_.lower = slope;
-    bracket_.place = point;
-}
-
-void GradientStudy::offerPoint(const glm::dvec3& p) {
-    const std::array<Interval, 3> point{Interval::point(p.x), Interval::point(p.y), Interval::point(p.z)};
-    const IntervalGradient& at = intervals_.evaluate(point);
-    offerGradient(p, at);
-    // A slope between two points may be that of a jump.
-    if (beside_) return;
-    if (!at.bounded() || at.value.empty() || at.steepness <= bracket_.lower * 1.001) return;
-    // At a kink, and for crackle, the gradient at the point itself proves little; a slope across it does.
-    const auto g = gradients_.evaluate(p.x, p.y, p.z).gradient;
-    const glm::dvec3 direction(g[0], g[1], g[2]);
-    const double length = glm::length(direction);
-    if (length > bracket_.lower && length < GradientEvaluator::steepest) offerSlope(p, direction / length);
-}
-
 double GradientStudy::target() const {
-    return std::max({negligibleSlope, dropped_, bracket_.lower * (1 + 0.999 * settings_.relativeWidth)});
+    return std::max({negligibleSlope, dropped_, bracket_.lower * (1 + targetPart * settings_.relativeWidth)});
 }
 
 bool GradientStudy::isNarrow() const {
     return dropped_ <= std::max(negligibleSlope, bracket_.lower * (1 + settings_.relativeWidth));
-}
-
-double GradientStudy::steepnessAt(const glm::dvec3& point) {
-    if (leftOut_.holds(point)) return 0;
-    const double length = lengthOf(gradients_.evaluate(point.x, point.y, point.z).gradient);
-    return length < GradientEvaluator::steepest && !LoopStop::requested() ? length : 0;
 }
 
 }  // namespace isoscope

@@ -9,10 +9,9 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/evaluate/point_evaluator.h"
-#include "core/evaluate/gradient_evaluator.h"
-#include "core/evaluate/interval_gradient_evaluator.h"
+#include "core/render/progressive/worker_pool.h"
 #include "core/shapes/isosurface/isosurface.h"
+#include "core/study/gradient/box_examiner.h"
 #include "core/study/gradient/gradient_bracket.h"
 #include "core/study/gradient/gradient_domain.h"
 #include "core/study/gradient/left_out_cells.h"
@@ -23,24 +22,25 @@ namespace isoscope {
 struct GradientStudySettings {
     double relativeWidth = 0.01;  ///< stop when (upper - lower) / lower is at most this
     std::uint64_t boxLimit =
-        1'000'000;  ///< stop after so many boxes; also bounds the memory (about 100 bytes each)
+        1'000'000;    ///< stop after so many boxes; also bounds the memory (about 100 bytes each)
+    int threads = 1;  ///< that look at boxes, 0 for all cores; no answer depends on their number
 };
 
 /// Proves a bracket of the largest |grad f| over the container of an isosurface by branch and bound over
-/// boxes, steepest first. Bounds of a box are the smaller of: its slopes by interval differentiation; the
-/// gradient at a point p of it plus second derivatives times distance; and |grad f(p)|^2 plus the change of
-/// the square, which is accurate to second order (with the wall of a sphere taken into account). Where few
-/// choices (min, max, abs) are open, the bound is the largest of those of all cases. Boxes in
-/// which the length certainly grows towards a neighbour are dropped, those in which it grows towards the
-/// container's wall shrink to it.
+/// boxes, steepest first. Bounds of a box (BoxExaminer) are the smaller of: its slopes by interval
+/// differentiation; the gradient at a point p of it plus second derivatives times distance; and |grad f(p)|^2
+/// plus the change of the square, which is accurate to second order (with the wall of a sphere taken into
+/// account). Where few choices (min, max, abs) are open, the bound is the largest of those of all cases.
+/// Boxes in which the length certainly grows towards a neighbour are dropped, those in which it grows towards
+/// the container's wall shrink to it.
 ///
 /// Infinite gradients are looked for first, and found by halving towards them: a jump is proven by two values
 /// that differ by more than all slopes between them allow; other singularities are told from mere ignorance
 /// by slopes that keep growing as the place is approached. Once one is found, what is left of the boxes goes
 /// to the bound beside such places (GradientBeside).
 ///
-/// What is bounded is the function as IntervalGradientEvaluator understands it. Not for several threads at
-/// once.
+/// What is bounded is the function as IntervalGradientEvaluator understands it. The study shares its boxes
+/// out to threads of its own; it is not to be called by several at once.
 class GradientStudy {
   public:
     GradientStudy(std::shared_ptr<const Tape> tape, std::span<const double> parameters,
@@ -82,61 +82,45 @@ class GradientStudy {
         /// The steepest first.
         bool operator<(const Region& other) const { return bound < other.bound; }
     };
-    /// What one evaluation says of a box.
-    struct Finding {
-        double bound = 0;
-        GradientHazard hazard = GradientHazard::none;
-        std::array<SlopeRange, 3> slope{};
-        glm::dvec3 influence{0};  ///< how much each axis contributes to the uncertainty
-        bool settled = false;     ///< nothing in the box can be the largest
-        bool shrunk = false;      ///< the box has become a part of a wall of the container
+    /// A part of a region that is to be looked at.
+    struct Part {
+        GradientBox box;
+        double bound;  ///< of the region, as `hazard`
+        GradientHazard hazard;
+        BoxQuestion question;
+        double* done;  ///< hears whether it is done with; null for none
     };
 
-    /// By how much a piece is taken rather than another one, if that is not below 0.
-    struct Margin {
-        double at;  ///< at most this at the point from which the box is looked at
-        std::array<SlopeRange, 3> slope;
-    };
-
-    void work();
+    void work(const std::stop_token& stop);
+    bool isWorthHalving(const Region& region);
     void begin();
     void beginBeside();
     void leaveOut(const GradientBox& box, GradientHazard hazard);
     void publish();
     bool samplePoints();
     void climb(glm::dvec3 from);
-    double steepnessAt(const glm::dvec3& point);
-    void offerPoint(const glm::dvec3& point);
-    void offerSlope(const glm::dvec3& point, const glm::dvec3& direction);
-    void offerGradient(const glm::dvec3& point, const IntervalGradient& at);
 
-    void consider(GradientBox box, double known, GradientHazard hazard);
-    static Region regionOf(const GradientBox& box, double bound, const Finding& finding);
+    BoxExaminer& examiner() { return *examiners_.front(); }
+    BoxQuestion question();
+    std::uint64_t evaluations() const;
+    double steepnessAt(const glm::dvec3& point) { return examiner().steepnessAt(point); }
+    void offerPoint(const glm::dvec3& point);
+    void accept(const SteepPlace& found);
+
+    void consider(const GradientBox& box, double bound, GradientHazard hazard);
+    bool adopt(const ExaminedBox& answer, GradientHazard hazard);
+    static Region regionOf(const GradientBox& box, double bound, const BoxFinding& finding);
     std::size_t distanceClass(double bound) const;
-    Finding examine(GradientBox& box);
-    void useCurvature(GradientBox& box, const IntervalGradient& whole, Finding& finding);
-    void useCases(const GradientBox& box, const IntervalGradient& whole, Finding& finding);
-    std::array<SlopeRange, 3> usePieces(const GradientBox& box, Finding& finding, std::size_t choices);
-    std::array<SlopeRange, 3> tryPieces(const GradientBox& box, Finding& finding, std::size_t choices);
-    void useFold(const GradientBox& box, const IntervalGradientEvaluator::Fold& fold, Finding& finding);
-    static double curvatureBound(const GradientDomain& domain, const GradientBox& box, const glm::dvec3& p,
-                                 const IntervalGradient& piece, const IntervalGradient& at,
-                                 std::array<SlopeRange, 3>& growth, std::span<const Margin> margins = {});
-    glm::dvec3 middleOf(const GradientBox& box) const;
-    void offerSteepest(const GradientBox& box, const std::array<SlopeRange, 3>& growth);
-    void useMonotony(GradientBox& box, const std::array<SlopeRange, 3>& growth, Finding& finding) const;
-    double boundAroundCenter();
-    void halve(const Region& region);
+    void halve(std::span<const Region> regions, const std::stop_token& stop = {});
+    void halve(const Region& region) { halve(std::span(&region, 1)); }
+    bool isDivisible(const Region& region);
+    void addParts(const Region& region, std::vector<Part>& parts);
     void putBack(const Region& region);
 
     bool isSingular(const Region& region);
     bool isConfirmed(const glm::dvec3& point, double length, double reach);
     void lookForSingularities();
     double steepestAround(const glm::dvec3& place, double distance);
-    Interval valueAt(const glm::dvec3& point);
-    bool findJump(const GradientBox& box, const std::array<SlopeRange, 3>& slope);
-    bool jumpsBetween(const glm::dvec3& a, const glm::dvec3& b, const std::array<SlopeRange, 3>& slope);
-    bool isJump(const glm::dvec3& place, const glm::dvec3& direction);
     bool checkSeam();
     bool diveInto(GradientBox box);
     void divide(const Region& region);
@@ -150,9 +134,9 @@ class GradientStudy {
 
     GradientDomain domain_;
     GradientStudySettings settings_;
-    IntervalGradientEvaluator intervals_;
-    GradientEvaluator gradients_;
-    PointEvaluator values_;
+    LeftOutCells leftOut_;
+    WorkerPool workers_;
+    std::vector<std::unique_ptr<BoxExaminer>> examiners_;  ///< by thread
     GradientBracket bracket_;  ///< of all, or of what is beside infinite gradients
     GradientBracket whole_;    ///< the answer, while it is worked on what is beside
     std::priority_queue<Region> queue_;
@@ -168,7 +152,6 @@ class GradientStudy {
     bool begun_ = false;
     bool beside_ = false;
     bool besideSampled_ = false;
-    LeftOutCells leftOut_;
     std::uint64_t besideLimit_ = 0;  ///< of all boxes
     bool unresolved_ = false;
     std::uint64_t queuedJumps_ = 0;  ///< regions of the queue that may hold a jump
