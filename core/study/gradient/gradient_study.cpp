@@ -121,7 +121,7 @@ void GradientStudy::work(const std::stop_token& stop) {
         std::vector<Region> steepest;
         // Those that are hardly less steep than the first: what is far less steep may not matter once a jump
         // is found. One alone that is followed down to a point, which may end the search.
-        const double least = target() + 0.5 * (queue_.top().bound - target());
+        const double least = target() + 0.9 * (queue_.top().bound - target());
         const bool nearPoint = queue_.top().box.width() < 0x1p-16 * domain_.box().width();
         const std::size_t most = nearPoint ? 1 : halvedTogether;
         while (!queue_.empty() && steepest.size() < most) {
