@@ -347,6 +347,7 @@ void Picture::collect(const TileScratch& work, RenderStatistics& statistics) con
     for (std::size_t i = 0; i < plan_.stages.size(); ++i) {
         const StageMeter& meter = work.meters[static_cast<std::size_t>(plan_.stages[i].kind)];
         statistics.stages[i].rays += meter.rays;
+        statistics.stages[i].blocked += meter.blocked;
         statistics.stages[i].evaluations += meter.evaluations;
         statistics.stages[i].cpuSeconds += meter.cpuSeconds;
         statistics.rays += meter.rays;

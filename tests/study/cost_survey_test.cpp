@@ -169,6 +169,19 @@ class CostSurveyTest : public QObject {
         QVERIFY(mixed.nativeSteps > 0);
     }
 
+    /// POV-Ray's own counts: two tests for each ray that reaches the light, once one has not.
+    void withoutAShadowNoRayIsRepeated() {
+        const std::string floor =
+            "isosurface { function { y+1 } contained_by { box { -1.5, <1.5,-0.9,1.5> } } pigment { rgb 1 } }";
+        const std::string ball = "sphere { <0,-0.2,0>, 0.3 pigment { rgb 1 } }";
+        const PovrayCounts lit = countForPovray(studyScene(floor, 800, 600), 64);
+        QVERIFY(lit.shadowEvaluations > 0);
+        QCOMPARE(lit.repeatedEvaluations, 0.0);
+        const PovrayCounts shaded = countForPovray(studyScene(floor + ball, 800, 600), 64);
+        QVERIFY(shaded.repeatedEvaluations > 0);
+        QVERIFY(shaded.repeatedEvaluations < static_cast<double>(shaded.shadowEvaluations));
+    }
+
     void timeGrowsWithPixelsAndEvaluations() {
         const PovrayCounts counts = countForPovray(studyScene(sphere, 800, 600), 64);
         QVERIFY(counts.complete);
@@ -179,7 +192,7 @@ class CostSurveyTest : public QObject {
         // There are no others.
         QCOMPARE(counts.shadowEvaluations, counts.evaluations - counts.primaryEvaluations);
         PovrayCounts mirrored = counts;
-        mirrored.shadowEvaluations = 0;
+        mirrored.repeatedEvaluations = 0;
         QVERIFY(povraySeconds(mirrored, 1000) < povraySeconds(counts, 1000));
         const double once = povraySeconds(counts, 1000);
         QVERIFY(once > 0);

@@ -18,6 +18,7 @@ namespace isoscope {
 /// What one stage has cost.
 struct StageMeter {
     std::uint64_t rays = 0;
+    std::uint64_t blocked = 0;  ///< of these: they were to reach a light and do not
     std::uint64_t evaluations = 0;
     double cpuSeconds = 0;  ///< known in the end (TileScratch::finish)
 };

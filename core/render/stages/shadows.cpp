@@ -50,9 +50,11 @@ void Shadows::filter(TileScratch& work, SurfacePoints& points, std::size_t light
     occluders_.blocked(shadow.rays, shadow.limits, work.context, work.gathered, shadow.blocked);
     work.context.shadowRay = false;
     work.context.nearLimit = 0;
-    for (std::size_t k = 0; k < shadow.points.size(); ++k)
-        if (shadow.blocked[k])
-            for (SurfacePoints::Column& column : points.returned) column[shadow.points[k]] = 0;
+    for (std::size_t k = 0; k < shadow.points.size(); ++k) {
+        if (!shadow.blocked[k]) continue;
+        ++work.meter(StageKind::shadows).blocked;
+        for (SurfacePoints::Column& column : points.returned) column[shadow.points[k]] = 0;
+    }
     work.charge(StageKind::shadows);
 }
 

@@ -42,9 +42,6 @@ struct PovrayCost {
     double cell = 273;
 };
 constexpr PovrayCost cost;
-/// POV-Ray's shadow rays take so many times as many evaluations as ours: its count of function calls with a
-/// light that casts shadows and without says so.
-constexpr double shadowFactor = 1.85;
 /// What measureSlowness() times, in seconds, there: between that machine's 0.190e-3 and the 0.211e-3 that a
 /// second one, twice as fast, asks for. Each is told 5 % off by it.
 constexpr double referenceSeconds = 0.2e-3;
@@ -97,6 +94,17 @@ bool hasComponent(std::string_view text, std::size_t open) {
         return i != std::string_view::npos && text[i] == '.';
     }
     return false;
+}
+
+std::uint64_t pixelsThatHit(const RenderStatistics& statistics) {
+    std::uint64_t hits = 0;
+    for (const auto& [verdict, pixels] : statistics.verdicts) hits += verdict == "miss" ? 0 : pixels;
+    return hits;
+}
+
+std::uint64_t castingLights(const Scene& scene) {
+    return static_cast<std::uint64_t>(
+        std::ranges::count_if(scene.lights, [](const LightSource& light) { return !light.shadowless; }));
 }
 
 void count(Operation operation, FunctionWork& work) {
@@ -189,7 +197,13 @@ PovrayCounts countForPovray(RenderRequest request, int width, std::stop_token st
     counts.evaluations = statistics.evaluations;
     for (const StageReport& stage : statistics.stages) {
         if (stage.kind == StageKind::primaryRays) counts.primaryEvaluations = stage.evaluations;
-        if (stage.kind == StageKind::shadows) counts.shadowEvaluations = stage.evaluations;
+        if (stage.kind != StageKind::shadows) continue;
+        counts.shadowEvaluations = stage.evaluations;
+        // Where some of the surface is turned away from a light, a larger picture has a shadow at the edge.
+        if (stage.blocked > 0 || stage.rays < pixelsThatHit(statistics) * castingLights(*request.scene))
+            counts.repeatedEvaluations = static_cast<double>(stage.evaluations) *
+                                         static_cast<double>(stage.rays - stage.blocked) /
+                                         static_cast<double>(stage.rays);
     }
     // Which function the evaluations are of is not counted; the rays that met the containers are.
     double searches = 0;
@@ -218,8 +232,8 @@ double povraySeconds(const PovrayCounts& counts, double pixels) {
 
 double povraySeconds(const PovrayCounts& counts, double pixels, double evaluationsPerPixel) {
     if (counts.pixels == 0) return 0;
-    const double excess = (shadowFactor - 1) * static_cast<double>(counts.shadowEvaluations) /
-                          std::max(1.0, static_cast<double>(counts.primaryEvaluations));
+    const double excess =
+        counts.repeatedEvaluations / std::max(1.0, static_cast<double>(counts.primaryEvaluations));
     const double evaluations = evaluationsPerPixel * (counts.lightFactor() + excess);
     const double nanoseconds = cost.pixel + evaluationTime(counts.work) * evaluations;
     return pixels * nanoseconds * 1e-9 * machineSlowness();

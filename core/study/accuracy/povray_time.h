@@ -47,6 +47,7 @@ struct PovrayCounts {
     std::uint64_t evaluations = 0;         ///< by all of them
     std::uint64_t primaryEvaluations = 0;  ///< by the camera's
     std::uint64_t shadowEvaluations = 0;   ///< by those towards lights
+    double repeatedEvaluations = 0;        ///< those that POV-Ray takes twice: see countForPovray()
     FunctionWork work;                     ///< of one evaluation; the mean where there are several functions
     bool complete = false;
 
@@ -55,6 +56,9 @@ struct PovrayCounts {
 };
 
 /// Draws the request at `width` pixels across, with POV-Ray's method and without smooth edges, and counts.
+/// From the first shadow on POV-Ray asks the object that has thrown the last one first, and, if it is not in
+/// the way, all objects, that one again: its count of intersection tests is one for each ray in a shadow and
+/// two for each other ray.
 PovrayCounts countForPovray(RenderRequest request, int width, std::stop_token stop = {});
 
 /// Processor seconds that POV-Ray 3.7 needs for a picture of so many pixels with one sample each, on this
