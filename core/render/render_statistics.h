@@ -16,9 +16,9 @@ struct StageReport {
     StageKind kind;
     std::string reason;
     std::uint64_t rays = 0;
-    std::uint64_t blocked = 0;  ///< of these: they were to reach a light and do not
     std::uint64_t evaluations = 0;
     double cpuSeconds = 0;
+    std::uint64_t blocked = 0;  ///< rays of these that were to reach a light and do not
 };
 
 /// What a picture cost; sums over all threads.

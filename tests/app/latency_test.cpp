@@ -12,7 +12,9 @@
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "tests/app/window_driver.h"
+#include "tests/support/builtin_scene.h"
 #include "tests/support/csv_table.h"
+#include "tests/support/study_scene.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_slider.h"
 #include "widgets/parameters/slider_player.h"
@@ -95,6 +97,25 @@ QString manyIsosurfaces() {
                     .arg(2 * (i % 5) - 4)
                     .arg(2 * (i / 5) - 3);
     return text;
+}
+
+/// A built-in as a whole scene, seen from as far as its container asks for.
+QString builtinView(const Builtin& builtin) {
+    const std::string statement =
+        builtinStatement(builtin, "max_gradient 10 pigment { rgb <0.9, 0.7, 0.3> }");
+    const RenderRequest request = studyScene(statement, 48, 27);
+    const Bounds bounds = request.scene->objects.front().shape->bounds();
+    const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high);
+    const double reach = 0.5 * glm::distance(bounds.low, bounds.high), away = 3.2 * reach;
+    const auto vectorOf = [](const glm::dvec3& v) {
+        return QStringLiteral("<%1, %2, %3>").arg(v.x).arg(v.y).arg(v.z);
+    };
+    return QStringLiteral("#version 3.7;\n#include \"functions.inc\"\n") +
+           QStringLiteral("camera { location %1 look_at %2 angle 40 right x*16/9 }\n")
+               .arg(vectorOf(middle + away * glm::dvec3(0.8, 0.6, -1)), vectorOf(middle)) +
+           QStringLiteral("light_source { %1 rgb 1 shadowless }\n")
+               .arg(vectorOf(4 * reach * glm::dvec3(-3, 5, -6))) +
+           QString::fromStdString(statement);
 }
 
 /// Processor time of the window's thread, whatever else the machine does.
@@ -215,6 +236,45 @@ class LatencyTest : public QObject {
         report("first coarse picture", coarse);
         report("full picture", full);
         report("processor time for it, all threads", work);
+    }
+
+    /// A table of all built-ins at 480 x 270, from a step of a slider to the whole picture; without
+    /// ISOSCOPE_ALL_LATENCIES of some.
+    void everyBuiltinBySlider() {
+        const QSize size(480, 270);
+        WindowDriver d;
+        d->actions()->certified->trigger();
+        d->resize(1600, 1200);
+        d->viewport()->setFixedSize(size);
+        std::vector<double> rows;
+        for (const Builtin& builtin : builtins()) {
+            if (builtin.name.empty() || builtin.pointArguments != 3) continue;
+            if (!timesEverything() && rows.size() == 3) break;
+            d->editor()->setSceneText(builtinView(builtin));
+            QVERIFY(d.rests());
+            const int index = rowToPlay(d->parameters());
+            if (index < 0) continue;
+            const double first = d->parameters()->slider(index)->value();
+            std::vector<double> times;
+            QElapsedTimer since;
+            double finishedAfter = 0;
+            const auto finished = connect(d->viewport(), &Viewport::pictureFinished, this, [&] {
+                if (finishedAfter == 0) finishedAfter = static_cast<double>(since.nsecsElapsed()) / 1e6;
+            });
+            for (int i = 1; i <= moves; ++i) {
+                finishedAfter = 0;
+                since.start();
+                emit d->parameters()->valueChanged(index, first + 0.004 * i * std::max(std::abs(first), 0.1));
+                QVERIFY(handlesEventsUntil([&] { return finishedAfter > 0; }));
+                times.push_back(finishedAfter);
+                QVERIFY(d.rests());
+            }
+            disconnect(finished);
+            report(builtin.name.c_str(), times);
+            rows.push_back(medianOf(times));
+        }
+        report("medians of the rows", rows);
+        QVERIFY(rows.size() >= 3);
     }
 
     /// A whole study of the Accuracy panel, planning included, and how soon its stop button acts.

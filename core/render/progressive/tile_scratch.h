@@ -18,9 +18,9 @@ namespace isoscope {
 /// What one stage has cost.
 struct StageMeter {
     std::uint64_t rays = 0;
-    std::uint64_t blocked = 0;  ///< of these: they were to reach a light and do not
     std::uint64_t evaluations = 0;
-    double cpuSeconds = 0;  ///< known in the end (TileScratch::finish)
+    double cpuSeconds = 0;      ///< known in the end (TileScratch::finish)
+    std::uint64_t blocked = 0;  ///< rays of these that were to reach a light and do not
 };
 
 /// The slots of TileScratch::verdicts: with POV-Ray's root finder a HitKind or a miss, with the certified one
