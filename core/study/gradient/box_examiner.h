@@ -44,9 +44,10 @@ struct BoxFinding {
 
 /// The answer to a question about a box.
 struct ExaminedBox {
+    /// Done with; open, so that parts of it are worth a look; or left by a stop, and nothing is known of it.
     enum class State : std::uint8_t { done, open, stopped };
-    State state = State::done;  ///< stopped: whatever is in `finding`, nothing is known of the box
-    GradientBox box;            ///< or the part of it that counts
+    State state = State::done;
+    GradientBox box;  ///< or the part of it that counts
     double bound = 0;
     BoxFinding finding;
     std::optional<glm::dvec3> jump;  ///< a place where the value jumps; nothing else counts then
@@ -80,9 +81,13 @@ class BoxExaminer {
     /// `slope` allow. None where jumps are known already.
     std::optional<glm::dvec3> findJump(const GradientBox& box, const std::array<SlopeRange, 3>& slope);
 
+    /// What it evaluates by; the next call of examine() takes nothing from their last results.
     IntervalGradientEvaluator& intervals() { return intervals_; }
+    /// Gradients by doubles.
     GradientEvaluator& gradients() { return gradients_; }
+    /// By doubles; NaN where the function has no value.
     double valueAt(const glm::dvec3& p) { return values_.evaluate(p.x, p.y, p.z); }
+    /// Boxes evaluated so far.
     std::uint64_t evaluations() const { return intervals_.evaluations(); }
 
   private:
