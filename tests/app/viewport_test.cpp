@@ -147,6 +147,23 @@ class ViewportTest : public QObject {
         QCOMPARE(viewport.grab().toImage().pixelColor(160, 120), QColor(255, 0, 0));
     }
 
+    /// The message on mistakes lay over the scale of the gradient.
+    void aNoticeStandsAboveTheLegend() {
+        Viewport viewport;
+        viewport.resize(320, 240);
+        viewport.show();
+        viewport.setScene(sphere());
+        QTRY_VERIFY(viewport.finished());
+        viewport.setVerdictsShown(true);
+        QTRY_VERIFY(viewport.picture().size() == QSize(320, 240));
+        const QImage before = viewport.grab().toImage();
+        viewport.setNotice(QStringLiteral("Errors"));
+        const QImage after = viewport.grab().toImage();
+        const QRect legend(0, 205, 320, 35);
+        QVERIFY(before != after);
+        QCOMPARE(after.copy(legend), before.copy(legend));
+    }
+
     void sceneWithoutObjectsSaysSo() {
         Viewport viewport;
         viewport.resize(320, 240);

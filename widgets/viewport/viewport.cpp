@@ -356,18 +356,19 @@ void Viewport::paintEvent(QPaintEvent* event) {
     } else {
         painter.drawImage(rect(), picture);
     }
-    paintMarks(painter);
-    paintOverlays(painter);
+    paintOverlays(painter, paintMarks(painter));
 }
 
-void Viewport::paintMarks(QPainter& painter) {
-    const QRect free = overlay_.paint(painter, rect());
+/// The area above the legends.
+QRect Viewport::paintMarks(QPainter& painter) {
+    QRect free = overlay_.paint(painter, rect());
     paintCuts(painter);
-    paintVerdicts(painter, free);
+    free = paintVerdicts(painter, free);
     guides_.paint(painter, projection(), rect());
     planeHandle_.paint(painter, projection());
     if (!buffer_.picture().isNull()) placeMarks_.paint(painter, rect(), projection());
     paintPicked(painter);
+    return free;
 }
 
 QImage Viewport::pictureWithMarks() {
@@ -390,11 +391,11 @@ void Viewport::paintCuts(QPainter& painter) {
     if (!cutImage_.isNull()) painter.drawImage(rect(), cutImage_);
 }
 
-void Viewport::paintVerdicts(QPainter& painter, const QRect& area) {
-    if (!verdictsShown_ || !verdicts_ || !finished_ || preliminary_) return;
+QRect Viewport::paintVerdicts(QPainter& painter, const QRect& area) {
+    if (!verdictsShown_ || !verdicts_ || !finished_ || preliminary_) return area;
     if (verdictImage_.isNull()) verdictImage_ = verdictImage(*verdicts_);
     painter.drawImage(rect(), verdictImage_);
-    paintLegend(painter, area, verdictLegend(told_.statistics.verdicts));
+    return paintLegend(painter, area, verdictLegend(told_.statistics.verdicts));
 }
 
 void Viewport::paintPicked(QPainter& painter) const {
@@ -412,7 +413,7 @@ void Viewport::paintPicked(QPainter& painter) const {
     }
 }
 
-void Viewport::paintOverlays(QPainter& painter) {
+void Viewport::paintOverlays(QPainter& painter, const QRect& free) {
     probeMark_.paint(painter, projection());
     painter.setRenderHint(QPainter::Antialiasing);
     if (scene_ && scene_->objects.empty() && notice_.isEmpty()) {
@@ -423,7 +424,7 @@ void Viewport::paintOverlays(QPainter& painter) {
     if (!notice_.isEmpty()) {
         if (dimmed_ == Dimmed::yes) painter.fillRect(rect(), QColor(0, 0, 0, dimming));
         const QRect text = painter.fontMetrics().boundingRect(
-            rect().adjusted(24, 12, -24, -12), Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, notice_);
+            free.adjusted(24, 12, -24, -12), Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, notice_);
         painter.setPen(Qt::NoPen);
         painter.setBrush(QColor(0x2b, 0x2e, 0x33, 225));
         painter.drawRoundedRect(text.adjusted(-10, -6, 10, 6), 5, 5);

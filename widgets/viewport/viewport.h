@@ -176,12 +176,12 @@ class Viewport : public QWidget {
     void drainSoftened(const RenderProgress& progress, bool changed);
     void drainIfBusy();
     /// What lies over the picture and belongs to it.
-    void paintMarks(QPainter& painter);
-    void paintOverlays(QPainter& painter);
+    QRect paintMarks(QPainter& painter);
+    void paintOverlays(QPainter& painter, const QRect& free);
     void paintCuts(QPainter& painter);
     void paintHint(QPainter& painter, const QString& hint) const;
     /// `area` is what other legends leave free.
-    void paintVerdicts(QPainter& painter, const QRect& area);
+    QRect paintVerdicts(QPainter& painter, const QRect& area);
     void paintPicked(QPainter& painter) const;
     /// What a press would drag.
     Drag dragFor(const QMouseEvent& press);
