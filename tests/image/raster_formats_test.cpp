@@ -159,6 +159,16 @@ class RasterFormatsTest : public QObject {
         QVERIFY(written(tiffImage(folder, 8, 1)) == RasterFormat::tiff);
     }
 
+    /// What has more pixels than are read was called damaged.
+    void aPictureThatIsTooLargeIsNotCalledDamagedAlone() {
+        const QTemporaryDir folder;
+        const std::string file = folder.filePath("large.pgm").toStdString();
+        std::ofstream(file) << "P5 12000 12000 255\n";
+        std::string problem;
+        QVERIFY(!readRaster(file, problem));
+        QVERIFY2(problem.find("too large") != std::string::npos, problem.c_str());
+    }
+
     /// Whatever is cut off or changed: an image or none, never a crash. (A JPEG may end early and be filled
     /// up.)
     void damageIsHarmless() {
