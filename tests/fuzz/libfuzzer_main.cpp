@@ -13,17 +13,6 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
                                                unsigned seed);
 
-namespace {
-
-/// A text that is too long from the beginning of any of its lines on; other files from their beginning.
-std::string partOf(const std::string& whole, std::size_t most, std::mt19937_64& random) {
-    if (whole.size() <= most || !fuzzTargets()[ISOSCOPE_FUZZ_TARGET].isText) return whole.substr(0, most);
-    const std::size_t line = whole.find('\n', random() % (whole.size() - most));
-    return whole.substr(line == std::string::npos ? 0 : line + 1, most);
-}
-
-}  // namespace
-
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzzTargets()[ISOSCOPE_FUZZ_TARGET].read({reinterpret_cast<const char*>(data), size});
     return 0;
@@ -41,7 +30,7 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
     constexpr unsigned fresh = 32;
     std::string input(reinterpret_cast<const char*>(data), size);
     const bool begins = size < 2 || random() % fresh == 0;
-    if (begins) input = partOf(anyInput(), most, random);
+    if (begins) input = partOf(anyInput(), most, target.isText, random);
     if (!target.isText || random() % 4 == 0) {
         if (!begins) return LLVMFuzzerMutate(data, size, most);
         if (!target.isText) input = random() % 4 == 0 ? input : changedBytes(input, random);

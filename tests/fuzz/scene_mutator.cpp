@@ -120,6 +120,12 @@ std::string changedTokens(std::string_view text, std::string_view other, std::mt
     return changed;
 }
 
+std::string partOf(std::string_view whole, std::size_t most, bool isText, std::mt19937_64& random) {
+    if (whole.size() <= most || !isText) return std::string(whole.substr(0, most));
+    const std::size_t line = whole.find('\n', below(whole.size() - most, random));
+    return std::string(whole.substr(line == std::string_view::npos ? 0 : line + 1, most));
+}
+
 std::string changedBytes(std::string_view bytes, std::mt19937_64& random) {
     std::string changed(bytes);
     for (std::size_t left = 1 + below(8, random); left > 0 && !changed.empty(); --left) {
