@@ -205,8 +205,13 @@ class ProofChainTest : public QObject {
                 of.maxTrace = 10;
                 const QString problem = follow(function, tape, {}, line, of, counts);
                 QVERIFY2(problem.isEmpty(),
-                         qPrintable(QString::asprintf("graph %g, line %d: ", graph, k) + problem + "\n" +
-                                    QString::fromStdString(describe(function))));
+                         qPrintable(
+                             QString::asprintf("graph %g, line %d: ", graph, k) + problem + "\n" +
+                             QString::asprintf("from (%.17g, %.17g, %.17g) along (%.17g, %.17g, %.17g), "
+                                               "threshold %.17g\n",
+                                               line.origin.x, line.origin.y, line.origin.z, line.direction.x,
+                                               line.direction.y, line.direction.z, of.threshold) +
+                             QString::fromStdString(describe(function))));
             }
         }
         tell(counts);
