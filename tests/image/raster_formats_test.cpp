@@ -19,7 +19,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 void append(Bytes& bytes, std::uint32_t value, int count) {
-    for (int k = 0; k < count; ++k) bytes.push_back(static_cast<std::uint8_t>(value >> (8 * k)));
+    for (int k = 0; k < count; ++k, value >>= 8) bytes.push_back(static_cast<std::uint8_t>(value));
 }
 
 /// A BMP of 3 by 2 pixels with channel values 10 * (3 * row + column) + channel, rows from the top.
