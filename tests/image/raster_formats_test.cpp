@@ -170,8 +170,9 @@ class RasterFormatsTest : public QObject {
             return usage.ru_maxrss / 1024;
         };
         const long before = peak();
-        const std::string gif("GIF89a\1\0\1\0\x80\0\0\0\0\0\xfa\xff\xff,\0\0\0\0\0\x32\0\x23\0\2\2\x44\1\0;",
-                              39);
+        using namespace std::string_literals;
+        const std::string gif =
+            "GIF89a\1\0\1\0\x80\0\0\0\0\0\xfa\xff\xff,\0\0\0\0\0\x32\0\x23\0\2\2\x44\1\0;"s;
         QVERIFY(!decodeGif(std::span(reinterpret_cast<const std::uint8_t*>(gif.data()), gif.size())));
         QVERIFY2(peak() - before < 50, QByteArray::number(qlonglong(peak() - before)) + " MB");
     }
