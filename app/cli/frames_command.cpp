@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "app/cli/command_support.h"
@@ -15,6 +13,7 @@
 #include "core/exchange/png.h"
 #include "core/render/render_image.h"
 #include "core/text/number_format.h"
+#include "core/text/scene_file.h"
 
 namespace isoscope::cli {
 
@@ -77,25 +76,18 @@ void chooseFrames(FramesArguments& arguments, const Timeline& timeline) {
     frames.finalClock = arguments.finalClock.value_or(clock(frames.last, 1));
 }
 
-/// The timeline of the scene file; nothing where it cannot be read.
-std::optional<Timeline> timelineOfFile(const std::filesystem::path& scene) {
-    std::ifstream input(scene, std::ios::binary);
-    std::ostringstream text;
-    if (!std::filesystem::is_regular_file(scene) || !(text << input.rdbuf())) return std::nullopt;
-    return timelineOf(text.view());
-}
-
 ExitStatus drawFrames(FramesArguments arguments) {
     namespace fs = std::filesystem;
     const std::optional<WorkPart> part = readWorkPart(arguments.part);
     if (!part) throw UsageError("--part: `" + arguments.part + "` is not of the form K/N with K from 1 to N");
     const fs::path scene = arguments.scene.file;
-    const std::optional<Timeline> timeline = timelineOfFile(scene);
-    if (!timeline) {
-        std::cerr << arguments.scene.file << ": error: the file cannot be read\n";
+    std::string problem;
+    const std::optional<std::string> text = readSceneText(scene, problem);
+    if (!text) {
+        std::cerr << arguments.scene.file << ": error: " << problem << '\n';
         return inputHasErrors;
     }
-    chooseFrames(arguments, *timeline);
+    chooseFrames(arguments, timelineOf(*text));
     if (arguments.frames.beginning.empty()) arguments.frames.beginning = scene.stem().string();
     if (const fs::path folder = fs::path(arguments.frames.beginning).parent_path(); !folder.empty()) {
         std::error_code failed;

@@ -13,6 +13,9 @@ namespace isoscope::cli {
 
 namespace {
 
+/// The time grows with the cube of the degree; POV-Ray knows 35.
+constexpr std::size_t mostCoefficients = 101;
+
 /// Numbers separated by `;`, one at least; what is no finite number is refused.
 std::vector<double> coefficients(TableRow& row) {
     std::vector<double> values;
@@ -25,6 +28,11 @@ std::vector<double> coefficients(TableRow& row) {
             return {};
         }
         values.push_back(value);
+    }
+    if (values.size() > mostCoefficients) {
+        row.refuse("coefficients", "has " + std::to_string(values.size()) + " numbers; " +
+                                       std::to_string(mostCoefficients) + " are read");
+        return {};
     }
     if (values.empty()) row.refuse("coefficients", "is empty, where numbers separated by `;` are needed");
     return values;
@@ -65,7 +73,7 @@ void addPolynomialCommand(CommandLine& line) {
     auto table = std::make_shared<std::string>();
     auto method = std::make_shared<std::string>("sturm");
     command.option("--table", *table, "CSV with case_id,coefficients,lo,hi").required();
-    command.option("--method", *method, "sturm (any degree), ferrari (up to 4) or vieta (the same)")
+    command.option("--method", *method, "sturm (any degree up to 100), ferrari (up to 4) or vieta (the same)")
         .oneOf({"sturm", "ferrari", "vieta"});
     command.run([=] { return findRoots(*table, methodOf(*method)); });
 }

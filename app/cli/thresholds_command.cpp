@@ -91,6 +91,8 @@ ExitStatus studyThresholds(const ThresholdArguments& arguments) {
         return inputHasErrors;
     }
     const TimeLimit limit(arguments.work.seconds);
+    // Values of what is suspected are looked for until a little later.
+    const TimeLimit telling(arguments.work.seconds + 0.5);
     std::vector<StudiedThresholds> all;
     for (const SceneIsosurface& isosurface : parsed.scene->isosurfaces) {
         const Isosurface& surface = *isosurface.shape;
@@ -102,7 +104,7 @@ ExitStatus studyThresholds(const ThresholdArguments& arguments) {
                             arguments.settings);
         constexpr std::uint64_t slice = 256;  // between two lines of progress
         while (!limit.over() && study.step(slice, limit.token())) progress.show(study.progress());
-        studied.critical = study.points();
+        studied.critical = study.points(telling.token());
         const std::string place = file + ":" + studied.line;
         constexpr std::string_view more = "what is suspected as unfinished may hold more points";
         if (!studied.critical.finished && limit.over())

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/read_scene.h"
 
-#include <fstream>
-#include <sstream>
+#include <optional>
+#include <utility>
 
+#include "core/text/scene_file.h"
 #include "core/virtualight/scene_reader.h"
 
 namespace isoscope {
@@ -15,18 +16,13 @@ ParseResult readScene(std::string text, ParseOptions options) {
 }
 
 ParseResult readSceneFile(const std::filesystem::path& file, ParseOptions options) {
-    try {
-        std::ostringstream text;
-        std::ifstream input(file, std::ios::binary);
-        if (input && std::filesystem::is_regular_file(file) && (text << input.rdbuf(), !input.bad()) &&
-            virtualight::isVirtualight(file, text.view())) {
-            if (options.file.empty()) options.file = file;
-            return virtualight::parseVirtualight(std::move(text).str(), std::move(options));
-        }
-    } catch (const std::exception&) {
-        // Whatever the reason, the reader below says that the file cannot be read.
-    }
-    return parseSceneFile(file, std::move(options));
+    if (options.file.empty()) options.file = file;
+    std::string problem;
+    std::optional<std::string> text = readSceneText(file, problem);
+    if (!text) return parseSceneFile(file, std::move(options));  // says why not
+    if (virtualight::isVirtualight(file, *text))
+        return virtualight::parseVirtualight(std::move(*text), std::move(options));
+    return parseScene(std::move(*text), std::move(options));
 }
 
 }  // namespace isoscope

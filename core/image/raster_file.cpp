@@ -65,7 +65,7 @@ std::optional<Raster> readRaster(const std::filesystem::path& file, std::string&
         case RasterFormat::bmp: raster = decodeBmp(bytes); break;
         case RasterFormat::netpbm: raster = decodeNetpbm(bytes); break;
     }
-    if (!raster) problem = "it is damaged, or of a kind that is not read";
+    if (!raster) problem = "it is damaged, too large, or of a kind that is not read";
     return raster;
 }
 

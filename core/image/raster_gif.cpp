@@ -47,7 +47,11 @@ std::optional<Raster> decodeGif(std::span<const std::uint8_t> bytes) {
     const GifImageDesc& image = gif->Image;
     if (image.Width <= 0 || image.Height <= 0) return std::nullopt;
     const auto width = static_cast<std::size_t>(image.Width), height = static_cast<std::size_t>(image.Height);
-    if (width * height > rasterSampleLimit) return std::nullopt;
+    // A code of three bits at least stands for 4096 pixels at most: the memory is not asked for where the
+    // file is too short.
+    constexpr std::size_t mostPerCode = 4096, leastBits = 3;
+    if (width * height > std::min(rasterSampleLimit, (8 * bytes.size() / leastBits + 1) * mostPerCode))
+        return std::nullopt;
     Raster raster;
     raster.width = image.Width;
     raster.height = image.Height;

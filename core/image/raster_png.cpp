@@ -73,6 +73,10 @@ std::optional<Raster> decodePng(std::span<const std::uint8_t> bytes) {
     const std::size_t count =
         std::size_t{header.width} * header.height * static_cast<std::size_t>(raster.channels);
     if (count == 0 || std::size_t{header.width} * header.height > rasterSampleLimit / 4) return std::nullopt;
+    // Deflate makes 1032 bytes of one at most: the memory is not asked for where the file is too short. Eight
+    // samples of one bit are a byte.
+    constexpr std::size_t mostPerByte = 1032;
+    if (count / 8 > mostPerByte * bytes.size()) return std::nullopt;
     const std::size_t sampleBytes = header.depth == 16 ? 2 : 1;
     std::vector<png_byte> samples(count * sampleBytes);
     std::vector<png_bytep> rows(header.height);

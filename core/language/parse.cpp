@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
+#include <optional>
 #include <set>
-#include <sstream>
+#include <utility>
 
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/language/functions/function_parser.h"
@@ -15,6 +15,7 @@
 #include "core/language/scene_parser.h"
 #include "core/language/sliders/slider_note.h"
 #include "core/language/version_lens.h"
+#include "core/text/scene_file.h"
 
 namespace isoscope {
 
@@ -114,18 +115,10 @@ ParseResult parseScene(std::string text, ParseOptions options) {
 
 ParseResult parseSceneFile(const std::filesystem::path& file, ParseOptions options) {
     if (options.file.empty()) options.file = file;
-    std::ostringstream text;
-    try {
-        std::ifstream input(file, std::ios::binary);
-        if (input && std::filesystem::is_regular_file(file)) {
-            text << input.rdbuf();
-            if (!input.bad()) return parseScene(std::move(text).str(), std::move(options));
-        }
-    } catch (const std::exception&) {
-        // Falls through to the message below: whatever the reason, the file cannot be read.
-    }
-    return failedResult(nameOf(options), "unreadable-file",
-                        "The file `" + file.string() + "` cannot be read.");
+    std::string problem;
+    if (std::optional<std::string> text = readSceneText(file, problem))
+        return parseScene(std::move(*text), std::move(options));
+    return failedResult(nameOf(options), "unreadable-file", problem);
 }
 
 ShapePointer declaredShape(const ParseResult& parsed, const std::string& name) {

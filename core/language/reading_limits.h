@@ -2,18 +2,17 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <cstddef>
-#include <mutex>
 #include <optional>
 #include <stop_token>
-#include <thread>
 
 namespace isoscope {
 
-/// Watches how long a text is being read and how much memory the program takes meanwhile, on a thread of its
-/// own: whatever reads, traces or evaluates looks at one token and ends within milliseconds. Safe to be asked
-/// from any thread.
+class ReadingWatch;
+
+/// Watches how long a text is being read and how much memory the program takes meanwhile, on a thread that
+/// all texts share: whatever reads, traces or evaluates looks at one token and ends within milliseconds. Safe
+/// to be asked from any thread.
 class ReadingLimits {
   public:
     /// What asked the reading to end.
@@ -31,21 +30,21 @@ class ReadingLimits {
     Reason reason() const;
 
   private:
+    friend class ReadingWatch;
+
     struct Forward {
         std::stop_source source;
         void operator()() { source.request_stop(); }
     };
 
-    void watch(std::chrono::steady_clock::time_point end, std::size_t bytes);
-
     std::stop_token outer_;
     std::stop_source source_;
-    mutable std::mutex mutex_;
-    std::condition_variable ended_;
-    bool finished_ = false;
-    Reason reason_ = Reason::nobody;
     std::optional<std::stop_callback<Forward>> forward_;
-    std::thread watcher_;
+    // The watch's, under its lock.
+    std::chrono::steady_clock::time_point end_;
+    std::size_t bytes_;
+    std::optional<std::size_t> before_;  ///< memory at the first look
+    Reason reason_ = Reason::nobody;
 };
 
 }  // namespace isoscope

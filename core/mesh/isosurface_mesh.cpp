@@ -144,8 +144,10 @@ class IsosurfaceMesher {
             });
         for (std::size_t next = 0; next < leaves.size(); ++next) {
             const std::uint32_t leaf = leaves[next];
-            for (const std::uint32_t vertex : std::ranges::equal_range(vertices, leaf, {}, leafOf))
-                forEachEdge(vertex, [&](const MinimalEdge& edge) {
+            // clang++ before its version 16 does not take the ranges of std::ranges::equal_range.
+            for (auto at = std::ranges::lower_bound(vertices, leaf, {}, leafOf);
+                 at != vertices.end() && leafOf(*at) == leaf; ++at)
+                forEachEdge(*at, [&](const MinimalEdge& edge) {
                     for (const std::uint32_t cell : edge.cells)
                         if (tree_[cell].level <= tree_[leaf].level) note(cell);
                 });

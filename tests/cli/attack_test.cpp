@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -192,6 +193,23 @@ class AttackTest : public QObject {
         }
     }
 
+    /// A pipe kept its reader waiting for ever, and a file of gigabytes was read to its end.
+    void filesThatAreNoScenesEnd() {
+        const QString pipe = folder_.filePath("pipe.pov"), large = folder_.filePath("large.pov");
+        QVERIFY(mkfifo(qPrintable(pipe), 0600) == 0);
+        QFile file(large);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.resize(qint64(3) << 30));  // takes no room
+        for (const QStringList& command :
+             {QStringList{"check"}, {"check", "--clock", "0.5"}, {"frames", "-o", folder_.path()}}) {
+            const ProgramResult ofPipe = runCli(command + QStringList{pipe}, 20);
+            QVERIFY2(ofPipe.status == 1 && ofPipe.errors.contains("cannot be read"), ofPipe.errors.left(300));
+            const ProgramResult ofLarge = runCli(command + QStringList{large}, 20);
+            QVERIFY2(ofLarge.status == 1 && ofLarge.errors.contains("is larger than 128 MB"),
+                     ofLarge.errors.left(300));
+        }
+        QVERIFY2(peakOfChildren() < 1000, QByteArray::number(qlonglong(peakOfChildren())) + " MB");
+    }
+
     /// What is too much is taken back to a limit, or is found to be the same thing again and again.
     void tamedScenesAreDrawn_data() {
         QTest::addColumn<QByteArray>("text");
@@ -244,6 +262,9 @@ class AttackTest : public QObject {
         };
         // A note, where what is told is true as far as it goes.
         for (const char* command : {"container", "thresholds"}) add({command, "noises.pov"}, 0);
+        // What is suspected at the end of the time was looked at a thousand times each, however long that
+        // takes.
+        for (const char* scene : {"sum.pov", "crackle.pov"}) add({"thresholds", scene}, 0);
         add({"export", "noises.pov", "--note", "-o", "out.inc"}, 0);
         for (const char* command : {"health", "report", "evaluate-advice", "accuracy"})
             add({command, "noises.pov"}, 1);
@@ -279,6 +300,11 @@ class AttackTest : public QObject {
                   "camera { location -5*z look_at 0 }\n"
                   "isosurface { function { " +
                       noises + "-2000 } max_gradient 9000 accuracy 1e-6 }\n");
+        writeFile(folder_.path(), "sum.pov", "isosurface { function { " + loop + "-y } }\n");
+        writeFile(
+            folder_.path(), "crackle.pov",
+            "#declare P = function { pattern { crackle metric 3 turbulence 5 octaves 10 scale 0.01 } }\n"
+            "isosurface { function { P(x,y,z)-0.3 } contained_by { box { -2, 2 } } }\n");
         writeFile(folder_.path(), "rays.csv",
                   "ox,oy,oz,dx,dy,dz\n" + QByteArray("0.1,0.2,-5,0,0,1\n").repeated(200000));
         writeFile(folder_.path(), "lines.csv",

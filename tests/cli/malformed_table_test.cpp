@@ -143,6 +143,9 @@ class MalformedTableTest : public QObject {
         QTest::newRow("blanks") << QByteArray("1 0 -1,-5,5") << QByteArray("column `coefficients`: `1 0 -1`");
         QTest::newRow("bound") << QByteArray("1;0;-1,x,5") << QByteArray("column `lo`: `x`");
         QTest::newRow("nothing") << QByteArray(",-5,5") << QByteArray("column `coefficients`");
+        // A thousand took 40 s, a hundred thousand days.
+        QTest::newRow("too many") << QByteArray("1;").repeated(100000) + "1,-5,5"
+                                  << QByteArray("has 100001 numbers; 101 are read");
     }
 
     void F3PolynomialTellsWhatIsMalformed() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of rays: what is true of a ray does not depend on the length of its direction, nor on how many roots
 // there are.
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <QTemporaryDir>
@@ -56,6 +57,24 @@ class RayTableTest : public QObject {
                 tableOf(runCli({"trace", scene, "--rays", rays, "--solver", solver}));
             QCOMPARE(hits.field(0, "hit"), std::string("1"));
             QVERIFY2(isExact(hits.field(0, "t")), hits.field(0, "t").c_str());
+        }
+    }
+
+    /// A certified miss: the power is 0 as a double in the middle of the line and was taken for 0 all over.
+    void powersThatUnderflowAreNotMissed() {
+        const QString table = file("powers.csv",
+                                   "case_id,function,threshold,container,ox,oy,oz,dx,dy,dz\n"
+                                   "a,\"pow(x,4347.25)-0.5\",0,\"box{<0.19263465628823384,-1,-1>,"
+                                   "<1.013961883299079,1,1>}\",0,0,0,1,0,0\n"
+                                   "b,\"pow(x,-10933.75)-1\",0,\"box{<0.9997665493113316,-1,-1>,"
+                                   "<1.347968799348206,1,1>}\",3,0,0,-1,0,0\n");
+        const isoscope::CsvTable rows = tableOf(runCli({"roots", "--table", table}));
+        QCOMPARE(rows.rowCount(), 2u);
+        const std::array exact{std::pow(0.5, 1 / 4347.25), 2.0};
+        for (std::size_t k = 0; k < 2; ++k) {
+            QCOMPARE(rows.field(k, "kind"), std::string("certified-hit"));
+            const double t = QByteArray::fromStdString(rows.field(k, "t")).toDouble();
+            QVERIFY2(std::abs(t - exact[k]) < 1e-6, rows.field(k, "t").c_str());
         }
     }
 

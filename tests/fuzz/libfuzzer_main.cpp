@@ -22,12 +22,15 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
     std::mt19937_64 random(seed);
     const FuzzTarget& target = fuzzTargets()[ISOSCOPE_FUZZ_TARGET];
     static const std::vector<std::string> corpus = corpusOf(target);
-    const auto anyInput = [&] { return corpus.empty() ? std::string() : corpus[random() % corpus.size()]; };
+    const std::string none;
+    const auto anyInput = [&]() -> const std::string& {
+        return corpus.empty() ? none : corpus[random() % corpus.size()];
+    };
     // Whole files again and again: from nothing it takes ages to a font or a scene.
     constexpr unsigned fresh = 32;
     std::string input(reinterpret_cast<const char*>(data), size);
     const bool begins = size < 2 || random() % fresh == 0;
-    if (begins) input = anyInput();
+    if (begins) input = partOf(anyInput(), most, target.isText, random);
     if (!target.isText || random() % 4 == 0) {
         if (!begins) return LLVMFuzzerMutate(data, size, most);
         if (!target.isText) input = random() % 4 == 0 ? input : changedBytes(input, random);

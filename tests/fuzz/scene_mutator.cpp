@@ -75,8 +75,15 @@ constexpr std::array words{"{ ",
                            "#local B = ",
                            "normal { "};
 
-void changeOne(std::vector<std::string>& tokens, const std::vector<std::string>& other,
-               std::mt19937_64& random) {
+/// Up to sixty tokens of a text, from any place on.
+std::vector<std::string> someTokensOf(std::string_view text, std::mt19937_64& random) {
+    constexpr std::size_t reach = 1024, most = 60;
+    std::vector<std::string> tokens = tokensOf(text.substr(below(text.size(), random), reach));
+    tokens.resize(std::min(tokens.size(), 1 + below(most, random)));
+    return tokens;
+}
+
+void changeOne(std::vector<std::string>& tokens, std::string_view other, std::mt19937_64& random) {
     const auto place = [&](std::size_t index) { return tokens.begin() + static_cast<std::ptrdiff_t>(index); };
     const std::size_t at = below(tokens.size(), random), second = below(tokens.size(), random);
     switch (random() % 8) {
@@ -94,11 +101,8 @@ void changeOne(std::vector<std::string>& tokens, const std::vector<std::string>&
         case 4: tokens.insert(place(at), words[below(words.size(), random)]); break;
         case 5: tokens[at] = words[below(words.size(), random)]; break;
         case 6: {
-            if (other.empty()) break;
-            const std::size_t from = below(other.size(), random);
-            const std::size_t count = std::min<std::size_t>(1 + below(60, random), other.size() - from);
-            const auto begin = other.begin() + static_cast<std::ptrdiff_t>(from);
-            tokens.insert(place(at), begin, begin + static_cast<std::ptrdiff_t>(count));
+            const std::vector<std::string> some = someTokensOf(other, random);
+            tokens.insert(place(at), some.begin(), some.end());
             break;
         }
         default: tokens.erase(place(at), place(std::min(at + 1 + below(20, random), tokens.size()))); break;
@@ -109,12 +113,17 @@ void changeOne(std::vector<std::string>& tokens, const std::vector<std::string>&
 
 std::string changedTokens(std::string_view text, std::string_view other, std::mt19937_64& random) {
     std::vector<std::string> tokens = tokensOf(text);
-    const std::vector<std::string> others = tokensOf(other);
     for (std::size_t left = 1 + below(8, random); left > 0 && !tokens.empty(); --left)
-        changeOne(tokens, others, random);
+        changeOne(tokens, other, random);
     std::string changed;
     for (const std::string& token : tokens) changed += token;
     return changed;
+}
+
+std::string partOf(std::string_view whole, std::size_t most, bool isText, std::mt19937_64& random) {
+    if (whole.size() <= most || !isText) return std::string(whole.substr(0, most));
+    const std::size_t line = whole.find('\n', below(whole.size() - most, random));
+    return std::string(whole.substr(line == std::string_view::npos ? 0 : line + 1, most));
 }
 
 std::string changedBytes(std::string_view bytes, std::mt19937_64& random) {

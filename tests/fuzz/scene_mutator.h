@@ -15,4 +15,7 @@ std::string changedTokens(std::string_view text, std::string_view other, std::mt
 /// `bytes` with one to eight bytes or stretches changed, dropped or doubled.
 std::string changedBytes(std::string_view bytes, std::mt19937_64& random);
 
+/// At most `most` bytes of a file: of a text from the beginning of any of its lines on, else its beginning.
+std::string partOf(std::string_view whole, std::size_t most, bool isText, std::mt19937_64& random);
+
 }  // namespace isoscope::test

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // BMP, JPEG and TIFF images: those that other programs write are read, damaged ones are refused.
+#include <sys/resource.h>
+
 #include <cstdio>
 #include <fstream>
 #include <jpeglib.h>
@@ -17,7 +19,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 void append(Bytes& bytes, std::uint32_t value, int count) {
-    for (int k = 0; k < count; ++k) bytes.push_back(static_cast<std::uint8_t>(value >> (8 * k)));
+    for (int k = 0; k < count; ++k, value >>= 8) bytes.push_back(static_cast<std::uint8_t>(value));
 }
 
 /// A BMP of 3 by 2 pixels with channel values 10 * (3 * row + column) + channel, rows from the top.
@@ -157,6 +159,32 @@ class RasterFormatsTest : public QObject {
         QVERIFY(written(bmpImage(24, false)) == RasterFormat::bmp);
         QVERIFY(written(jpegImage(8, 8, 1)) == RasterFormat::jpeg);
         QVERIFY(written(tiffImage(folder, 8, 1)) == RasterFormat::tiff);
+    }
+
+    /// A GIF of 83 bytes that says it has 114 million pixels took 230 MB and half a second with a sanitizer:
+    /// found by make fuzz.
+    void shortFilesOfManyPixelsTakeNoMemory() {
+        const auto peak = [] {
+            rusage usage{};
+            getrusage(RUSAGE_SELF, &usage);
+            return usage.ru_maxrss / 1024;
+        };
+        const long before = peak();
+        using namespace std::string_literals;
+        const std::string gif =
+            "GIF89a\1\0\1\0\x80\0\0\0\0\0\xfa\xff\xff,\0\0\0\0\0\x32\0\x23\0\2\2\x44\1\0;"s;
+        QVERIFY(!decodeGif(std::span(reinterpret_cast<const std::uint8_t*>(gif.data()), gif.size())));
+        QVERIFY2(peak() - before < 50, QByteArray::number(qlonglong(peak() - before)) + " MB");
+    }
+
+    /// What has more pixels than are read was called damaged.
+    void aPictureThatIsTooLargeIsNotCalledDamagedAlone() {
+        const QTemporaryDir folder;
+        const std::string file = folder.filePath("large.pgm").toStdString();
+        std::ofstream(file) << "P5 12000 12000 255\n";
+        std::string problem;
+        QVERIFY(!readRaster(file, problem));
+        QVERIFY2(problem.find("too large") != std::string::npos, problem.c_str());
     }
 
     /// Whatever is cut off or changed: an image or none, never a crash. (A JPEG may end early and be filled

@@ -3,9 +3,14 @@
 #include <QFile>
 #include <QTest>
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <limits>
 #include <random>
+#include <thread>
 
 #include "core/language/parse.h"
+#include "core/text/number_format.h"
 #include "tests/language/stream_run.h"
 
 using namespace isoscope;
@@ -333,6 +338,34 @@ class LimitsTest : public QObject {
                          text.c_str());
             }
         }
+    }
+
+    /// One thread looks at all texts: each of those that are read at once ends by its own time, and one that
+    /// begins after a long silence, too.
+    void textsThatAreReadAtOnceHaveTimesOfTheirOwn() {
+        const std::string endless = "#while (1) #end";
+        const auto endsAfter = [&](double seconds) {
+            ParseOptions options = withBudget(std::numeric_limits<std::size_t>::max());
+            options.secondsBudget = seconds;
+            QElapsedTimer timer;
+            timer.start();
+            const ParseResult result = parseScene(endless, options);
+            const std::string told = "it has taken " + shortestNumber(seconds) + " seconds";
+            const bool cut = std::ranges::any_of(result.diagnostics, [&](const Diagnostic& diagnostic) {
+                return diagnostic.message.find(told) != std::string::npos;
+            });
+            return cut && timer.elapsed() >= 1000 * seconds - 1;
+        };
+        std::array<std::atomic<bool>, 6> right{};
+        {
+            std::vector<std::jthread> readers;
+            for (std::size_t i = 0; i < right.size(); ++i)
+                readers.emplace_back([&, i] { right[i] = endsAfter(0.3 - 0.05 * static_cast<double>(i)); });
+        }
+        for (const std::atomic<bool>& one : right) QVERIFY(one);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+        QVERIFY(endsAfter(0.001));
+        QVERIFY(endsAfter(0.2));
     }
 
     void survivesRandomBytes() {

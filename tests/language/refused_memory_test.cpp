@@ -43,10 +43,19 @@ void* operator new[](std::size_t size) { return memoryFor(size); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
     return memoryFor(size, static_cast<std::size_t>(alignment));
 }
+// What sorts stably asks for its room in this way, and does without.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return refused() ? nullptr : std::malloc(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+    return refused() ? nullptr : std::malloc(size);
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 

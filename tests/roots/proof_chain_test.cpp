@@ -4,6 +4,8 @@
 // lines and ISOSCOPE_SEED for other functions.
 #include "core/roots/certified/proof_recorder.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <QTest>
@@ -143,6 +145,40 @@ class ProofChainTest : public QObject {
         QVERIFY2(problem.isEmpty() == (change == "none"), qPrintable(problem));
     }
 
+    /// Lines that are searched together are written down as each alone, in another order.
+    void severalLinesAreWrittenDownAsEachAlone() {
+        const ParsedFunction parsed = parseFunction("x*x+y*y+z*z-1+0.3*sin(9*x)*floor(y)");
+        std::vector<LineQuery> lines;
+        for (int k = 0; k < 5; ++k)
+            lines.push_back({{-5, 0.1 + 0.2 * k, 0.2 - 0.1 * k}, {1, 0.01 * k, 0}, 3.2 - 0.1 * k, 6.8});
+        RootSettings settings;
+        settings.open = true;
+        settings.maxTrace = 10;
+        const auto stepsOf = [&](std::span<const LineQuery> some) {
+            CertifiedRootFinder finder(Tape::compile(parsed.value.function), parsed.parameterTable, settings);
+            ProofRecorder recorder;
+            finder.recordInto(recorder);
+            std::vector<RootList> roots(some.size());
+            finder.find(some, {}, roots);
+            std::vector<std::array<double, 9>> steps;
+            for (const ProofStep& step : recorder.steps())
+                steps.push_back({static_cast<double>(step.rule), step.from, step.to,
+                                 static_cast<double>(step.sign), step.start, step.length, step.center,
+                                 step.slope, step.error});
+            return steps;
+        };
+        std::vector<std::array<double, 9>> together = stepsOf(lines), apart;
+        for (const LineQuery& line : lines) {
+            const auto steps = stepsOf(std::span(&line, 1));
+            QVERIFY(!steps.empty());
+            apart.insert(apart.end(), steps.begin(), steps.end());
+        }
+        std::ranges::sort(together);
+        std::ranges::sort(apart);
+        QCOMPARE(together.size(), apart.size());
+        QVERIFY(together == apart);
+    }
+
     void chainsOfRandomFunctionsAreFollowed() {
         const std::uint64_t seed = seedSetting(defaultSeed);
         const double wanted = setting("ISOSCOPE_PROOF_CHAINS", defaultChains);
@@ -169,8 +205,13 @@ class ProofChainTest : public QObject {
                 of.maxTrace = 10;
                 const QString problem = follow(function, tape, {}, line, of, counts);
                 QVERIFY2(problem.isEmpty(),
-                         qPrintable(QString::asprintf("graph %g, line %d: ", graph, k) + problem + "\n" +
-                                    QString::fromStdString(describe(function))));
+                         qPrintable(
+                             QString::asprintf("graph %g, line %d: ", graph, k) + problem + "\n" +
+                             QString::asprintf("from (%.17g, %.17g, %.17g) along (%.17g, %.17g, %.17g), "
+                                               "threshold %.17g\n",
+                                               line.origin.x, line.origin.y, line.origin.z, line.direction.x,
+                                               line.direction.y, line.direction.z, of.threshold) +
+                             QString::fromStdString(describe(function))));
             }
         }
         tell(counts);

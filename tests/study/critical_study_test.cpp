@@ -276,6 +276,19 @@ class CriticalStudyTest : public QObject {
             QCOMPARE(pieces.points[i].value, whole.points[i].value);
     }
 
+    /// Values and kinds of what is suspected cost a thousand evaluations each, of a million steps each here.
+    void afterAStopSuspectedOnesHaveNoValue() {
+        CriticalStudy study =
+            studyOf("function { sum(i, 1, 1000000, sin(i*x)/i)-y } contained_by { box { -1, 1.1 } }");
+        std::stop_source stop;
+        stop.request_stop();
+        const CriticalPoints points = study.points(stop.get_token());
+        QCOMPARE(points.points.size(), 1u);
+        QVERIFY(std::isnan(points.points.front().value));
+        QVERIFY(points.points.front().kind == CriticalKind::unknown);
+        QVERIFY(points.points.front().reason == SuspicionReason::unfinished);
+    }
+
     void containersWithoutAnEndHaveNone() {
         QVERIFY(pointsOf("function { x*x } contained_by { box { -1e200, 1e200 } }").points.empty());
         // No room at all: a point.

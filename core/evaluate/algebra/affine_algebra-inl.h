@@ -516,11 +516,12 @@ class AffineAlgebra {
             hn::AllTrue(Doubles(), hn::Gt(hn::Abs(bent), constantVector(1000 * roughPowerError)));
         const Vector value = rough ? roughPower(p.a, c) : HWY_NAMESPACE::power(p.a, c);
         const Vector slope = hn::Mul(hn::Mul(c, value), inverse);
-        // Of the value, and of the slope along the piece.
+        // Of the value, and of the slope along the piece. A value that underflows may be one at an end.
         const Vector share = hn::MulAdd(t, constantVector(std::abs(exponent)), one);
-        const Vector error = hn::MulAdd(hn::Mul(value, share), constantVector(rough ? roughPowerError : 0),
-                                        relativeError(value));
-        const Vector rest = hn::Mul(value, bent), zero = zeroVector();
+        const Vector off =
+            hn::MulAdd(value, constantVector(rough ? roughPowerError : 0), constantVector(underflow));
+        const Vector error = hn::MulAdd(off, share, relativeError(value));
+        const Vector rest = hn::Mul(hn::Add(value, constantVector(underflow)), bent), zero = zeroVector();
         return developed(p, value, error, slope, hn::Min(rest, zero), hn::Max(rest, zero));
     }
 

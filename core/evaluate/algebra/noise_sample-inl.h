@@ -79,9 +79,9 @@ using WholeNumbers = hn::Rebind<std::int32_t, Doubles>;
 
 /// Truncated; the numbers must fit.
 HWY_INLINE hn::Vec<WholeNumbers> wholeNumbers(Vector t) {
-#if HWY_TARGET == HWY_SCALAR
-    // Highway's would take -2147483647.5 as too large.
-    return hn::Set(WholeNumbers(), static_cast<std::int32_t>(hn::GetLane(t)));
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+    // Highway's own truncation would take -2147483647.5 as too large.
+    return hn::DemoteTo(WholeNumbers(), hn::Trunc(t));
 #else
     return hn::DemoteTo(WholeNumbers(), t);
 #endif

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <set>
 
 namespace isoscope {
@@ -137,6 +139,13 @@ int halfEditsBetween(std::string_view a, std::string_view b, int limit) {
     return row(a.size())[b.size()] + (sameCase ? 0 : 1);
 }
 
+/// A bit for each letter that occurs, whatever its case; some letters share one.
+std::uint64_t lettersOf(std::string_view name) {
+    std::uint64_t letters = 0;
+    for (const char c : name) letters |= std::uint64_t{1} << (static_cast<unsigned char>(lower(c)) % 64);
+    return letters;
+}
+
 }  // namespace
 
 std::string closestName(std::string_view name, const std::vector<std::string>& candidates, int* distance) {
@@ -144,10 +153,17 @@ std::string closestName(std::string_view name, const std::vector<std::string>& c
     // One typing error in a short name, two or three in a long one; a one-letter name is never "close".
     int best = name.size() < 2 ? 1 : name.size() < 5 ? 3 : name.size() < 8 ? 5 : 7;
     std::string closest;
+    const std::uint64_t letters = lettersOf(name);
     for (const std::string& candidate : candidates) {
+        // An edit changes the length by one at most, and takes or brings one letter at most.
+        const auto tooFar = [&](std::size_t edits) { return 2 * edits > static_cast<std::size_t>(best); };
         const std::size_t longer = std::max(candidate.size(), name.size());
         const std::size_t shorter = std::min(candidate.size(), name.size());
-        if (longer - shorter > 3 || candidate == name) continue;
+        if (tooFar(longer - shorter) || candidate == name) continue;
+        const std::uint64_t others = lettersOf(candidate);
+        if (tooFar(static_cast<std::size_t>(std::popcount(letters & ~others))) ||
+            tooFar(static_cast<std::size_t>(std::popcount(others & ~letters))))
+            continue;
         const int found = halfEditsBetween(name, candidate, best);
         // Of two equally far the one that begins as it was typed: a name not typed to its end.
         const bool isBetterTie =

@@ -31,11 +31,10 @@ struct Ring {
 
 class Triangulation {
   public:
-    Triangulation(const SurfacePolygons& surface, const SolidField& field, const CellOctree& tree,
-                  const CellSamples& samples, VertexPlaces places, double tolerance)
+    Triangulation(const SurfacePolygons& surface, const SolidField& field, const CellSamples& samples,
+                  VertexPlaces places, double tolerance)
         : surface_(surface),
           field_(field),
-          tree_(tree),
           samples_(samples),
           smooth_(std::move(places.smooth)),
           tolerance_(tolerance) {
@@ -196,7 +195,6 @@ class Triangulation {
 
     const SurfacePolygons& surface_;
     const SolidField& field_;
-    const CellOctree& tree_;
     const CellSamples& samples_;
     std::vector<std::uint8_t> smooth_;  ///< of the vertices and middles
     double tolerance_;
@@ -215,7 +213,7 @@ PolygonMesh makeTriangles(const SurfacePolygons& surface, const SolidField& fiel
                           WorkerPool& workers, const std::stop_token& stop) {
     VertexPlaces places = placeVertices(surface, field, tree, samples, tolerance, samplers, workers, stop);
     if (stop.stop_requested()) return {};
-    return Triangulation(surface, field, tree, samples, std::move(places), tolerance).make();
+    return Triangulation(surface, field, samples, std::move(places), tolerance).make();
 }
 
 double distanceToTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,

@@ -37,7 +37,7 @@ enum class SuspicionReason : std::uint8_t {
 struct CriticalPoint {
     glm::dvec3 place{0};  ///< of a suspected place, a point of it
     GradientBox box;      ///< proven: holds exactly one such point; suspected: around the whole place
-    double value = 0;     ///< at `place`
+    double value = 0;     ///< at `place`; NaN where there was no time to ask for it
     Interval values;      ///< proven: encloses the value at the point; suspected: all values of the place
     /// Of what is suspected, a guess by samples.
     CriticalKind kind = CriticalKind::unknown;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <random>
 
 #include "core/evaluate/prepared_function.h"
@@ -23,6 +24,7 @@ constexpr double overhang = 0x1p-32;
 constexpr double pointLike = 0.01;
 /// Boxes between two looks at progress and stop.
 constexpr std::uint64_t slice = 500;
+constexpr double noValue = std::numeric_limits<double>::quiet_NaN();
 
 bool encloses(const GradientBox& outer, const GradientBox& inner) {
     for (int k = 0; k < 3; ++k)
@@ -90,7 +92,8 @@ bool CriticalStudy::step(std::uint64_t boxes, std::stop_token stop) {
 CriticalPoints CriticalStudy::run(const std::function<void(double)>& progress, std::stop_token stop) {
     while (!stop.stop_requested() && step(slice, stop))
         if (progress) progress(this->progress());
-    return stop.stop_requested() ? CriticalPoints{} : points();
+    CriticalPoints answer = stop.stop_requested() ? CriticalPoints{} : points(stop);
+    return stop.stop_requested() ? CriticalPoints{} : answer;
 }
 
 double CriticalStudy::progress() const {
@@ -197,7 +200,8 @@ void CriticalStudy::halve(const Region& region, std::deque<Region>& queue) {
     queue.push_back(second);
 }
 
-CriticalPoints CriticalStudy::points() {
+CriticalPoints CriticalStudy::points(std::stop_token stop) {
+    const LoopStop loops(stop);
     CriticalPoints answer;
     answer.boxes = intervals_.evaluations();
     answer.share = nothingLeft() ? 0 : share_;
@@ -213,14 +217,17 @@ CriticalPoints CriticalStudy::points() {
     for (const std::vector<std::size_t>& group : touchingBoxes(domain_.box(), boxes)) {
         std::vector<Left> places;
         for (const std::size_t i : group) places.push_back(all[i]);
-        answer.points.push_back(suspected(places));
+        answer.points.push_back(suspected(places, stop));
     }
+    // Those without a value come last.
     std::stable_sort(answer.points.begin(), answer.points.end(),
-                     [](const CriticalPoint& a, const CriticalPoint& b) { return a.value < b.value; });
+                     [](const CriticalPoint& a, const CriticalPoint& b) {
+                         return a.value < b.value || (std::isnan(b.value) && !std::isnan(a.value));
+                     });
     return answer;
 }
 
-CriticalPoint CriticalStudy::suspected(std::span<const Left> places) {
+CriticalPoint CriticalStudy::suspected(std::span<const Left> places, const std::stop_token& stop) {
     CriticalPoint point;
     point.box = places.front().region.box;
     point.values = places.front().region.values;
@@ -235,30 +242,39 @@ CriticalPoint CriticalStudy::suspected(std::span<const Left> places) {
         point.values = {std::min(point.values.low, region.values.low),
                         std::max(point.values.high, region.values.high),
                         point.values.maybeUndefined || region.values.maybeUndefined};
+        const bool first = &region == &places.front().region;
+        if (stop.stop_requested() && !first) continue;
         const glm::dvec3 center = domain_.nearest(region.box.center());
-        const double value = values_.evaluate(center.x, center.y, center.z);
-        if (!(value < point.value) && &region != &places.front().region) continue;
+        const double value = stop.stop_requested() ? noValue : values_.evaluate(center.x, center.y, center.z);
+        if (!(value < point.value) && !first) continue;
         point.place = center;
         point.value = value;
     }
-    if (widest <= pointLike * domain_.box().width()) point.kind = guess(point, widest);
+    if (!stop.stop_requested() && widest <= pointLike * domain_.box().width())
+        point.kind = guess(point, widest, stop);
+    // A value that was cut short is none.
+    if (stop.stop_requested()) {
+        point.value = noValue;
+        point.kind = CriticalKind::unknown;
+    }
     return point;
 }
 
 /// By the extreme values on a small ball around.
-CriticalKind CriticalStudy::guess(const CriticalPoint& point, double reach) {
+CriticalKind CriticalStudy::guess(const CriticalPoint& point, double reach, const std::stop_token& stop) {
     // So large that curvature can be seen over the slopes of the boxes that are left.
     const double all = domain_.box().width();
     const double radius = std::max(8 * reach, std::min(pointLike * all, 2 * std::sqrt(reach * all)));
-    const bool above = highestAround(point.place, radius, 1) > point.values.high;
-    const bool below = highestAround(point.place, radius, -1) > -point.values.low;
+    const bool above = highestAround(point.place, radius, 1, stop) > point.values.high;
+    const bool below = highestAround(point.place, radius, -1, stop) > -point.values.low;
     if (above && below) return CriticalKind::saddle;
     return above ? CriticalKind::minimum : below ? CriticalKind::maximum : CriticalKind::unknown;
 }
 
 /// The largest value of `sign` times the function on a ball, as far as a search finds it. Samples alone do
 /// not meet the ridges of kinks.
-double CriticalStudy::highestAround(const glm::dvec3& center, double radius, double sign) {
+double CriticalStudy::highestAround(const glm::dvec3& center, double radius, double sign,
+                                    const std::stop_token& stop) {
     constexpr int samples = 200, steps = 400;
     constexpr double golden = 2.39996322972865332, last = 1e-5;
     const auto valueAt = [&](const glm::dvec3& direction) {
@@ -273,13 +289,13 @@ double CriticalStudy::highestAround(const glm::dvec3& center, double radius, dou
         highest = value;
         best = direction;
     };
-    for (int i = 0; i < samples; ++i) {
+    for (int i = 0; i < samples && !stop.stop_requested(); ++i) {
         const double y = 1 - (2 * i + 1.0) / samples, ring = std::sqrt(1 - y * y);
         offer({ring * std::cos(golden * i), y, ring * std::sin(golden * i)});
     }
     std::mt19937 random(1);
     std::normal_distribution<double> number;
-    for (int i = 0; i < steps; ++i) {
+    for (int i = 0; i < steps && !stop.stop_requested(); ++i) {
         const double way = 0.2 * std::pow(last, static_cast<double>(i) / steps);
         offer(glm::normalize(best + way * glm::dvec3(number(random), number(random), number(random))));
     }

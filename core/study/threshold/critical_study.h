@@ -46,8 +46,9 @@ class CriticalStudy {
 
     /// How much of what may be spent is spent, from 0 to 1; 1 when nothing is left to do.
     double progress() const;
-    /// What is known now.
-    CriticalPoints points();
+    /// What is known now. What is suspected is told with a value and a kind, for which the function is looked
+    /// at a thousand times each; after a stop with neither.
+    CriticalPoints points(std::stop_token stop = {});
 
   private:
     struct Known {
@@ -72,9 +73,9 @@ class CriticalStudy {
     bool isKnown(const GradientBox& box) const;
     void halve(const Region& region, std::deque<Region>& queue);
     bool nothingLeft() const { return queues_[0].empty() && queues_[1].empty(); }
-    CriticalPoint suspected(std::span<const Left> places);
-    CriticalKind guess(const CriticalPoint& point, double reach);
-    double highestAround(const glm::dvec3& center, double radius, double sign);
+    CriticalPoint suspected(std::span<const Left> places, const std::stop_token& stop);
+    CriticalKind guess(const CriticalPoint& point, double reach, const std::stop_token& stop);
+    double highestAround(const glm::dvec3& center, double radius, double sign, const std::stop_token& stop);
     double volumeShare(const GradientBox& box) const;
 
     GradientDomain domain_;
