@@ -182,6 +182,17 @@ class CostSurveyTest : public QObject {
         QVERIFY(shaded.repeatedEvaluations < static_cast<double>(shaded.shadowEvaluations));
     }
 
+    /// Nothing was told of a surface without a shadow ray: 0 of 0 were in the light.
+    void aSurfaceTurnedFromTheLightHasATime() {
+        RenderRequest dark = studyScene(sphere, 800, 600);
+        auto scene = std::make_shared<Scene>(*dark.scene);
+        for (LightSource& light : scene->lights) light.location = {0, 0, 1e4};
+        dark.scene = scene;
+        const PovrayCounts unlit = countForPovray(dark, 64);
+        QCOMPARE(unlit.shadowEvaluations, std::uint64_t(0));
+        QVERIFY(povraySeconds(unlit, 1000) > 0);
+    }
+
     void timeGrowsWithPixelsAndEvaluations() {
         const PovrayCounts counts = countForPovray(studyScene(sphere, 800, 600), 64);
         QVERIFY(counts.complete);

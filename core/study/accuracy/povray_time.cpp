@@ -197,7 +197,7 @@ PovrayCounts countForPovray(RenderRequest request, int width, std::stop_token st
     counts.evaluations = statistics.evaluations;
     for (const StageReport& stage : statistics.stages) {
         if (stage.kind == StageKind::primaryRays) counts.primaryEvaluations = stage.evaluations;
-        if (stage.kind != StageKind::shadows) continue;
+        if (stage.kind != StageKind::shadows || stage.rays == 0) continue;
         counts.shadowEvaluations = stage.evaluations;
         // Where some of the surface is turned away from a light, a larger picture has a shadow at the edge.
         if (stage.blocked > 0 || stage.rays < pixelsThatHit(statistics) * castingLights(*request.scene))
