@@ -359,7 +359,6 @@ void Viewport::paintEvent(QPaintEvent* event) {
     paintOverlays(painter, paintMarks(painter));
 }
 
-/// The area above the legends.
 QRect Viewport::paintMarks(QPainter& painter) {
     QRect free = overlay_.paint(painter, rect());
     paintCuts(painter);

@@ -175,12 +175,13 @@ class Viewport : public QWidget {
     void drain();
     void drainSoftened(const RenderProgress& progress, bool changed);
     void drainIfBusy();
-    /// What lies over the picture and belongs to it.
+    /// What lies over the picture and belongs to it. Returns the area above the legends.
     QRect paintMarks(QPainter& painter);
+    /// Messages and what is under way; `free` is what the legends leave.
     void paintOverlays(QPainter& painter, const QRect& free);
     void paintCuts(QPainter& painter);
     void paintHint(QPainter& painter, const QString& hint) const;
-    /// `area` is what other legends leave free.
+    /// `area` is what other legends leave free; returns what this one does.
     QRect paintVerdicts(QPainter& painter, const QRect& area);
     void paintPicked(QPainter& painter) const;
     /// What a press would drag.

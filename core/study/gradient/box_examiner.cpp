@@ -44,11 +44,14 @@ ExaminedBox BoxExaminer::examine(GradientBox box, double bound, const BoxQuestio
     // Where boxes have no bound nothing else looks for steep places.
     if (!leftOut_.empty()) offerIfSteeper(box.center());
     while (!domain_.misses(box)) {
-        const BoxFinding finding = find(box);
+        GradientBox part = box;
+        const BoxFinding finding = find(part);
+        // Whatever was found, and whatever has become of the box.
         if (LoopStop::requested()) {
             answer.state = ExaminedBox::State::stopped;
             break;
         }
+        box = part;
         if (finding.settled) break;
         bound = std::min(bound, finding.bound);
         if (finding.hazard == GradientHazard::jump) answer.jump = findJump(box, finding.slope);

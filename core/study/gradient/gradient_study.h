@@ -22,8 +22,10 @@ namespace isoscope {
 struct GradientStudySettings {
     double relativeWidth = 0.01;  ///< stop when (upper - lower) / lower is at most this
     std::uint64_t boxLimit =
-        1'000'000;    ///< stop after so many boxes; also bounds the memory (about 100 bytes each)
-    int threads = 1;  ///< that look at boxes, 0 for all cores; no answer depends on their number
+        1'000'000;  ///< stop after so many boxes; also bounds the memory (about 100 bytes each)
+    /// That look at boxes, 0 for all cores; fewer where their evaluators would take much memory. No answer
+    /// depends on their number.
+    int threads = 1;
 };
 
 /// Proves a bracket of the largest |grad f| over the container of an isosurface by branch and bound over
