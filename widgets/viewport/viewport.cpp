@@ -9,6 +9,7 @@
 
 #include "widgets/timing.h"
 #include "widgets/viewport/cut_marks.h"
+#include "widgets/viewport/picture_message.h"
 #include "widgets/viewport/verdict_overlay.h"
 
 namespace isoscope {
@@ -416,19 +417,13 @@ void Viewport::paintOverlays(QPainter& painter, const QRect& free) {
     probeMark_.paint(painter, projection());
     painter.setRenderHint(QPainter::Antialiasing);
     if (scene_ && scene_->objects.empty() && notice_.isEmpty()) {
-        paintHint(painter,
-                  tr("Nothing to see yet: the text has no object.\nType a formula, such as x*x + y*y + "
-                     "z*z - 1, or insert a function, to begin."));
+        paintMessage(painter, rect(), Qt::AlignCenter,
+                     tr("Nothing to see yet: the text has no object.\nType a formula, such as x*x + y*y + "
+                        "z*z - 1, or insert a function, to begin."));
     }
     if (!notice_.isEmpty()) {
         if (dimmed_ == Dimmed::yes) painter.fillRect(rect(), QColor(0, 0, 0, dimming));
-        const QRect text = painter.fontMetrics().boundingRect(
-            free.adjusted(24, 12, -24, -12), Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, notice_);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(QColor(0x2b, 0x2e, 0x33, 225));
-        painter.drawRoundedRect(text.adjusted(-10, -6, 10, 6), 5, 5);
-        painter.setPen(Qt::white);
-        painter.drawText(text, Qt::AlignLeft | Qt::TextWordWrap, notice_);
+        paintMessage(painter, free, Qt::AlignLeft | Qt::AlignBottom, notice_);
     }
     if (busyMarkShown()) {
         constexpr double size = 18, margin = 10, degreesPerMillisecond = 0.36;
@@ -446,17 +441,6 @@ void Viewport::paintOverlays(QPainter& painter, const QRect& free) {
         painter.setPen(QPen(palette().highlight(), 1));
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     }
-}
-
-/// In the middle of a picture that shows nothing; on a ground of its own, for that picture has any colour.
-void Viewport::paintHint(QPainter& painter, const QString& hint) const {
-    const QRect text = painter.fontMetrics().boundingRect(rect().adjusted(24, 12, -24, -12),
-                                                          Qt::AlignCenter | Qt::TextWordWrap, hint);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(0x2b, 0x2e, 0x33, 225));
-    painter.drawRoundedRect(text.adjusted(-12, -8, 12, 8), 5, 5);
-    painter.setPen(Qt::white);
-    painter.drawText(text, Qt::AlignCenter | Qt::TextWordWrap, hint);
 }
 
 void Viewport::resizeEvent(QResizeEvent*) {

@@ -180,7 +180,6 @@ class Viewport : public QWidget {
     /// Messages and what is under way; `free` is what the legends leave.
     void paintOverlays(QPainter& painter, const QRect& free);
     void paintCuts(QPainter& painter);
-    void paintHint(QPainter& painter, const QString& hint) const;
     /// `area` is what other legends leave free; returns what this one does.
     QRect paintVerdicts(QPainter& painter, const QRect& area);
     void paintPicked(QPainter& painter) const;
