@@ -178,24 +178,11 @@ class AffineAlgebra {
 
     HWY_INLINE Number arcTangent2(const Number& p, const Number& q) const { return arcTangent2Of(p, q); }
     HWY_INLINE Number remainder(const Number& p, const Number& q) const {
-        const Number quotient = divide(p, q);
-        const VectorRange range = rangeOf(quotient);
-        const Vector first = hn::Trunc(range.low), last = hn::Trunc(range.high);
-        const Mask same = hn::And(isKnown(quotient), hn::Eq(first, last));
-        const Number between = differenceOf(p, productOf(q, exactNumber(first)));
-        if (HWY_LIKELY(hn::AllTrue(Doubles(), same))) return between;
-        // |result| < |q| and |result| <= |p|, with the sign of p; a divisor that may be 0 says nothing.
-        const VectorRange dividend = rangeOf(p), divisor = rangeOf(q);
-        const Mask safe =
-            hn::And(hn::And(isKnown(p), isKnown(q)),
-                    hn::Or(hn::Gt(divisor.low, zeroVector()), hn::Lt(divisor.high, zeroVector())));
-        const Vector bound = hn::Max(hn::Abs(divisor.low), hn::Abs(divisor.high));
-        const Vector low = hn::Max(hn::Neg(bound), hn::Min(dividend.low, zeroVector()));
-        const Vector high = hn::Min(bound, hn::Max(dividend.high, zeroVector()));
-        const Number loose = chooseNumber(safe, betweenNumber(low, high), keepUnknown(p, q, unknownNumber()));
-        return chooseNumber(same, between, loose);
+        return remainderOf(p, q, quotientOf(p, q));
     }
-    HWY_INLINE Number integerDivide(const Number& p, const Number& q) const { return truncate(divide(p, q)); }
+    HWY_INLINE Number integerDivide(const Number& p, const Number& q) const {
+        return truncate(quotientOf(p, q));
+    }
 
     HWY_INLINE Number minimum(const Number& p, const Number& q) const {
         const Number result = lesser(p, q);
@@ -289,6 +276,31 @@ class AffineAlgebra {
   protected:
     HWY_INLINE VectorRange domain(std::size_t operand) const {
         return {constantVector(domains_[2 * operand]), constantVector(domains_[2 * operand + 1])};
+    }
+
+    /// divide(), by one number for a lane where they are known, which takes no reciprocal of a form.
+    HWY_INLINE Number quotientOf(const Number& p, const Number& q) const {
+        const Mask divisible = hn::And(isExact(q), hn::Ne(q.a, zeroVector()));
+        if (HWY_LIKELY(hn::AllTrue(Doubles(), divisible))) return divide(p, Uniform{q.a});
+        return divide(p, q);
+    }
+    /// remainder(), given the quotient of both.
+    static HWY_INLINE Number remainderOf(const Number& p, const Number& q, const Number& quotient) {
+        const VectorRange range = rangeOf(quotient);
+        const Vector first = hn::Trunc(range.low), last = hn::Trunc(range.high);
+        const Mask same = hn::And(isKnown(quotient), hn::Eq(first, last));
+        const Number between = differenceOf(p, productOf(q, exactNumber(first)));
+        if (HWY_LIKELY(hn::AllTrue(Doubles(), same))) return between;
+        // |result| < |q| and |result| <= |p|, with the sign of p; a divisor that may be 0 says nothing.
+        const VectorRange dividend = rangeOf(p), divisor = rangeOf(q);
+        const Mask safe =
+            hn::And(hn::And(isKnown(p), isKnown(q)),
+                    hn::Or(hn::Gt(divisor.low, zeroVector()), hn::Lt(divisor.high, zeroVector())));
+        const Vector bound = hn::Max(hn::Abs(divisor.low), hn::Abs(divisor.high));
+        const Vector low = hn::Max(hn::Neg(bound), hn::Min(dividend.low, zeroVector()));
+        const Vector high = hn::Min(bound, hn::Max(dividend.high, zeroVector()));
+        const Number loose = chooseNumber(safe, betweenNumber(low, high), keepUnknown(p, q, unknownNumber()));
+        return chooseNumber(same, between, loose);
     }
 
     /// Every value of either: the least form with the mean of their slopes.

@@ -42,7 +42,7 @@ class AffineCaseAlgebra : public AffineWholeAlgebra {
             case Operation::ceiling: return ceilingOf(p[0], lane);
             case Operation::truncate: return truncated(p[0], lane);
             case Operation::fraction: return fractionOf(p[0], lane);
-            case Operation::integerDivide: return truncated(divide(p[0], p[1]), lane);
+            case Operation::integerDivide: return truncated(quotientOf(p[0], p[1]), lane);
             case Operation::remainder: return remainderOf(p[0], p[1], lane);
             case Operation::arcTangent2: return angle(p[0], p[1], lane);
             case Operation::equal: return equality(equal(p[0], p[1]), p[0], p[1], lane);
@@ -165,27 +165,28 @@ class AffineCaseAlgebra : public AffineWholeAlgebra {
         return chooseNumber(hn::And(step.known, fits), exactNumber(step.side), truncate(p));
     }
     HWY_INLINE Number remainderOf(const Number& p, const Number& q, std::size_t lane) {
-        const Told step = truncationOf(divide(p, q), lane);
+        const Number quotient = quotientOf(p, q);
+        const Told step = truncationOf(quotient, lane);
         const Number side = differenceOf(p, productOf(q, exactNumber(step.side)));
-        return chooseNumber(step.known, side, remainder(p, q));
+        return chooseNumber(step.known, side, AffineAlgebra::remainderOf(p, q, quotient));
     }
 
     /// On the cut, seen from the other side: the angle of the opposite point and half a turn.
     HWY_INLINE Number angle(const Number& ordinate, const Number& abscissa, std::size_t lane) {
-        const Number hull = arcTangent2(ordinate, abscissa);
         const Told side = told(lane);
         const VectorRange y = rangeOf(ordinate), x = rangeOf(abscissa);
         const Vector zero = zeroVector(), one = constantVector(1);
         const Mask known = hn::And(isKnown(ordinate), isKnown(abscissa));
         const Mask cut =
             hn::And(hn::And(known, hn::Lt(x.high, zero)), hn::And(hn::Le(y.low, zero), hn::Ge(y.high, zero)));
-        if (hn::AllFalse(Doubles(), hn::Or(cut, side.known))) return hull;
+        if (hn::AllFalse(Doubles(), hn::Or(cut, side.known))) return arcTangent2(ordinate, abscissa);
         note(hn::AndNot(side.known, cut), ordinate, zero, zero, one, lane);
         const Vector pi = constantVector(std::numbers::pi);
         const Vector halfTurn = hn::IfThenElse(hn::Gt(side.side, zero), pi, hn::Neg(pi));
-        const Number opposite = arcTangent2(negated(ordinate), negated(abscissa));
-        const Number turned = sumOf(opposite, Number{halfTurn, zero, constantVector(2 * roundingUnit)});
-        return chooseNumber(side.known, turned, hull);
+        const Number angle = arcTangent2(chooseNumber(side.known, negated(ordinate), ordinate),
+                                         chooseNumber(side.known, negated(abscissa), abscissa));
+        const Number turned = sumOf(angle, Number{halfTurn, zero, constantVector(2 * roundingUnit)});
+        return chooseNumber(side.known, turned, angle);
     }
 
     /// 1 where p is above q, 0 below, where it is open.

@@ -22,7 +22,8 @@ namespace isoscope::HWY_NAMESPACE {
 class AffineSideAlgebra : public AffineWholeAlgebra {
   public:
     /// For the first `count` lanes.
-    AffineSideAlgebra(SideLanes& sides, std::size_t count) : sides_(&sides), seen_(sides.jumpOf.size()) {
+    AffineSideAlgebra(SideLanes& sides, std::size_t count) : sides_(&sides) {
+        sides.seen.assign(sides.jumpOf.size(), false);
         sides.low.fill(SideLanes::beyond);
         sides.high.fill(SideLanes::beyond);
         sides.open.fill(0);
@@ -37,8 +38,8 @@ class AffineSideAlgebra : public AffineWholeAlgebra {
         const std::uint32_t jump =
             number < sides_->jumpOf.size() ? sides_->jumpOf[number] : CaseLanes::notNumbered;
         jump_ = jump;
-        isFirst_ = jump == CaseLanes::notNumbered || !seen_[jump];
-        if (jump != CaseLanes::notNumbered) seen_[jump] = true;
+        isFirst_ = jump == CaseLanes::notNumbered || !sides_->seen[jump];
+        if (jump != CaseLanes::notNumbered) sides_->seen[jump] = true;
     }
 
     /// An operation on the lanes from `lane` on; operands that it does not have are not read.
@@ -52,7 +53,7 @@ class AffineSideAlgebra : public AffineWholeAlgebra {
             case Operation::ceiling: return ceilingOf(p[0], lane);
             case Operation::truncate: return truncated(p[0], lane);
             case Operation::fraction: return fractionOf(p[0], lane);
-            case Operation::integerDivide: return truncated(divide(p[0], p[1]), lane);
+            case Operation::integerDivide: return truncated(quotientOf(p[0], p[1]), lane);
             case Operation::remainder: return remainderOf(p[0], p[1], lane);
             case Operation::arcTangent2: return angle(p[0], p[1], lane);
             case Operation::equal: return equality(equal(p[0], p[1]), 0, p[0], p[1], lane);
@@ -179,12 +180,13 @@ class AffineSideAlgebra : public AffineWholeAlgebra {
     HWY_INLINE Number floorOf(const Number& p, std::size_t lane) {
         const Number there = atReading(p, lane);
         const Step step = floorStep(p, tight(there, clippedRange(there, domain(0))), lane);
-        return chooseNumber(step.read, exactNumber(step.step), floor(p));
+        return sideOr(step.read, exactNumber(step.step), [&]() HWY_ATTR { return floor(p); });
     }
     HWY_INLINE Number fractionOf(const Number& p, std::size_t lane) {
         const Number there = atReading(p, lane);
         const Step step = floorStep(p, tight(there, rangeOf(there)), lane);
-        return chooseNumber(step.read, exactSum(p, exactNumber(hn::Neg(step.step))), fraction(p));
+        const Number side = exactSum(p, exactNumber(hn::Neg(step.step)));
+        return sideOr(step.read, side, [&]() HWY_ATTR { return fraction(p); });
     }
     HWY_INLINE Number ceilingOf(const Number& p, std::size_t lane) {
         const Number there = atReading(p, lane);
@@ -193,7 +195,7 @@ class AffineSideAlgebra : public AffineWholeAlgebra {
             return VectorRange{hn::Sub(step, constantVector(1)), step};
         };
         const Step step = stepOf(p, hn::Ceil(range.low), hn::Ceil(range.high), bounds, lane);
-        return chooseNumber(step.read, exactNumber(step.step), ceiling(p));
+        return sideOr(step.read, exactNumber(step.step), [&]() HWY_ATTR { return ceiling(p); });
     }
     /// Toward zero: as floor above 0, as ceiling below.
     HWY_INLINE Step truncationOf(const Number& p, std::size_t lane) {
@@ -210,12 +212,14 @@ class AffineSideAlgebra : public AffineWholeAlgebra {
         const Step step = truncationOf(p, lane);
         // Beyond 32 bits the value is another one.
         const Mask fits = hn::Lt(hn::Abs(step.step), constantVector(2147483647.0));
-        return chooseNumber(hn::And(step.read, fits), exactNumber(step.step), truncate(p));
+        return sideOr(hn::And(step.read, fits), exactNumber(step.step),
+                      [&]() HWY_ATTR { return truncate(p); });
     }
     HWY_INLINE Number remainderOf(const Number& p, const Number& q, std::size_t lane) {
-        const Step step = truncationOf(divide(p, q), lane);
+        const Number quotient = quotientOf(p, q);
+        const Step step = truncationOf(quotient, lane);
         const Number side = differenceOf(p, productOf(q, exactNumber(step.step)));
-        return chooseNumber(step.read, side, remainder(p, q));
+        return sideOr(step.read, side, [&]() HWY_ATTR { return AffineAlgebra::remainderOf(p, q, quotient); });
     }
 
     /// Whether an operand is above 0 at the reading, or below; then it lasts as long. Of the lanes of
@@ -238,19 +242,19 @@ class AffineSideAlgebra : public AffineWholeAlgebra {
 
     /// On the cut, seen from the other side: the angle of the opposite point and half a turn.
     HWY_INLINE Number angle(const Number& ordinate, const Number& abscissa, std::size_t lane) {
-        const Number hull = arcTangent2(ordinate, abscissa);
         const Mask known = hn::And(isKnown(ordinate), isKnown(abscissa));
         const VectorRange y = rangeOf(ordinate), x = rangeOf(abscissa);
         const Vector zero = zeroVector();
         const Mask cut =
             hn::And(hn::And(known, hn::Lt(x.high, zero)), hn::And(hn::Le(y.low, zero), hn::Ge(y.high, zero)));
-        if (hn::AllFalse(Doubles(), cut)) return hull;
+        if (hn::AllFalse(Doubles(), cut)) return arcTangent2(ordinate, abscissa);
         const Sign sign = signOf(cut, ordinate, lane);
         const Vector pi = constantVector(std::numbers::pi);
         const Number halfTurn{hn::IfThenElse(sign.above, pi, hn::Neg(pi)), zero,
                               constantVector(2 * roundingUnit)};
-        const Number opposite = arcTangent2(negated(ordinate), negated(abscissa));
-        return chooseNumber(sign.read, sumOf(opposite, halfTurn), hull);
+        const Number angle = arcTangent2(chooseNumber(sign.read, negated(ordinate), ordinate),
+                                         chooseNumber(sign.read, negated(abscissa), abscissa));
+        return chooseNumber(sign.read, sumOf(angle, halfTurn), angle);
     }
 
     /// 1 where p is above q, 0 below, where `hull` leaves it open.
@@ -301,7 +305,6 @@ class AffineSideAlgebra : public AffineWholeAlgebra {
     }
 
     SideLanes* sides_;
-    std::vector<bool> seen_;                       ///< jumps of the instructions so far
     std::uint32_t jump_ = CaseLanes::notNumbered;  ///< of the instruction at hand
     bool isFirst_ = true;      ///< of the instruction at hand: the first one with its jump
     bool wide_ = false;        ///< whether some lane is read further than the grain from its start

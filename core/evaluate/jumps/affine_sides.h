@@ -35,6 +35,8 @@ struct SideLanes {
     Lanes nextJump, nextSide;  ///< that jump, and the side behind it
     Lanes open;                ///< not 0 where a side cannot be read, nor anything be said of the piece
     Lanes crowded;  ///< not 0 where sides of several jumps end between low and high, beyond the grain
+
+    std::vector<bool> seen;  ///< the evaluator's: jumps of the instructions so far
 };
 
 }  // namespace isoscope

@@ -85,6 +85,13 @@ class AffineWholeAlgebra : public AffineAlgebra {
 #endif
     }
 
+    /// `side` in the lanes of `read`, `hull()` in the others, if there are any.
+    template <class Hull>
+    static HWY_INLINE Number sideOr(Mask read, const Number& side, const Hull& hull) {
+        if (HWY_LIKELY(hn::AllTrue(Doubles(), read))) return side;
+        return chooseNumber(read, side, hull());
+    }
+
     /// The range of an operand; of an exact one without the rounding of its ends.
     static HWY_INLINE VectorRange tight(const Number& p, const VectorRange& range) {
         const Mask exact = isExact(p);
