@@ -360,7 +360,7 @@ class AffineAlgebra {
     HWY_NOINLINE Number maximumOfBoth(Number p, Number q) const { return maximum(p, q); }
 
     /// The smaller of two known numbers: one of them where that is certain, else a mean of both with weights
-    /// that follow the chord of |p - q|.
+    /// that follow the chord of |p - q|, or, where that is nearer, what lies between the lesser ends of both.
     static HWY_INLINE Number lesser(const Number& p, const Number& q) {
         const Number difference = differenceOf(p, q);
         const VectorRange range = rangeOf(difference);
@@ -380,7 +380,10 @@ class AffineAlgebra {
         const Vector rounding = hn::MulAdd(hn::Add(magnitude, hn::Add(p.e, q.e)),
                                            constantVector(8 * roundingUnit), constantVector(underflow));
         const Number mixed{a, b, hn::MulAdd(e, constantVector(inflation), rounding)};
-        return chooseNumber(hn::Or(first, second), sure, mixed);
+        const VectorRange ofP = rangeOf(p), ofQ = rangeOf(q);
+        const Number flat = betweenNumber(hn::Min(ofP.low, ofQ.low), hn::Min(ofP.high, ofQ.high));
+        const Mask flatter = hn::Lt(flat.e, mixed.e);
+        return chooseNumber(hn::Or(first, second), sure, chooseNumber(flatter, flat, mixed));
     }
 
     /// 1, 0, or either.
