@@ -55,7 +55,7 @@ Expression slantedCell(Expression x, Expression z, double m, Expression n) {
 Expression hexagon(const PatternCall& call) {
     const auto reduced = [](Expression t) { return t - 6 * floor(t / 6); };
     const Expression x = reduced(abs(call.x) / 0.5);
-    const Expression z = reduced(select(call.z, 5.196152424 - abs(call.z), call.z) / 0.866025404);
+    const Expression z = reduced(select(call.z, 5.196152424 + call.z, call.z) / 0.866025404);
     const Expression n = floor(z);
     const Expression outer = floor(wholeModulo(n + 1, 6) / 2);
     const Expression middle = wholeModulo(floor(n / 2) + 2, 3);
