@@ -189,6 +189,23 @@ class AffineEvaluatorTest : public QObject {
         QCOMPARE(forms[0].e, 0.0);
     }
 
+    /// A mean of both operands reached down to -5e5 here; both are above 3 where the first one is the
+    /// greater.
+    void aMaximumIsAboveTheLowerEndsOfBoth() {
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0));
+        const NodeId root = max(4 + x, 1e6 * sin(x * 1e3)).node();
+        AffineEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+        RayPieces pieces{};
+        pieces.direction[0].fill(1);
+        pieces.start.fill(-1);
+        pieces.length.fill(2);
+        std::array<AffineForm, batchLanes> forms;
+        evaluator.evaluate(pieces, forms);
+        QVERIFY(forms[0].a - std::abs(forms[0].b) - forms[0].e > 2.99);
+        QVERIFY(forms[0].a + std::abs(forms[0].b) + forms[0].e < 1.01e6);
+    }
+
     /// From 0 itself, beside it and far away, along short pieces, long ones and points: powers are enclosed
     /// by their curvature, by chord and tangents, or by their values at the ends.
     void powersHoldTheirExactValuesFromZeroOn() {

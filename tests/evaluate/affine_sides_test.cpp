@@ -3,6 +3,7 @@
 #include "core/evaluate/jumps/affine_sides.h"
 
 #include <QTest>
+#include <cmath>
 #include <random>
 
 #include "core/evaluate/affine_evaluator.h"
@@ -73,7 +74,7 @@ class AffineSidesTest : public QObject {
         qInfo("seed %llu", static_cast<unsigned long long>(seed));
         std::mt19937_64 random(seed);
         RandomFunctionSettings settings = jumpingOperations();
-        double beforeJumps = 0;
+        double beforeJumps = 0, besideOpenSides = 0;
         for (int graph = 0; graph < 150; ++graph) {
             settings.nodes = 2 + static_cast<int>(random() % 12);
             Function function = randomFunction(random, settings);
@@ -85,7 +86,7 @@ class AffineSidesTest : public QObject {
             readAt(std::min(place, 0.8), sides);
             const AffineLanes forms = evaluator.evaluateSides(pieces.columns(), batchLanes, sides);
             for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-                if (sides.open[lane] != 0) continue;
+                if (sides.blind[lane] != 0) continue;
                 const double from = sides.readAt[lane], to = std::min(sides.low[lane], 1.0);
                 for (int k = 1; k < shares && from < to; ++k) {
                     const double s = from + (to - from) * k / shares, share = (1 + s) / 2;
@@ -94,6 +95,7 @@ class AffineSidesTest : public QObject {
                         evaluateExactly(function, pointAt(pieces, lane, share), {}, regular);
                     if (!regular) continue;
                     beforeJumps += sides.low[lane] < 1;
+                    besideOpenSides += sides.open[lane] != 0 && std::isfinite(forms.error[lane]);
                     QVERIFY2(admits(formOf(forms, lane), share, value),
                              qPrintable(QString::asprintf("graph %d, lane %zu, share %g: %.17g\n", graph,
                                                           lane, share, value.rounded()) +
@@ -102,6 +104,7 @@ class AffineSidesTest : public QObject {
             }
         }
         QVERIFY(beforeJumps > 1000);
+        QVERIFY(besideOpenSides > 1000);
     }
 
     /// From 0.25 to 1.25 the floor of 2 x jumps at 0.5 first, and at 1 next.
@@ -132,6 +135,22 @@ class AffineSidesTest : public QObject {
         readAt(-0.9, sides);
         evaluator.evaluateSides(alongX(0.5, 1).columns(), batchLanes, sides);
         QCOMPARE(sides.open[0], 0.0);
+    }
+
+    /// Behind 0 the first select takes 3, whatever the second one is, which cannot be read at 0.
+    void aSideThatDoesNotCountLeavesTheFormKnown() {
+        AffineEvaluator evaluator(tapeOf([](auto x, auto y, auto) {
+                                      return select(x + 1, select(x + y, x.number(1), x.number(2)),
+                                                    x.number(3));
+                                  }),
+                                  {});
+        SideLanes sides;
+        readAt(-1, sides);
+        const AffineLanes forms = evaluator.evaluateSides(alongX(0, 1).columns(), batchLanes, sides);
+        QVERIFY(sides.open[0] != 0);
+        QCOMPARE(sides.blind[0], 0.0);
+        QCOMPARE(formOf(forms, 0).a, 3.0);
+        QCOMPARE(formOf(forms, 0).e, 0.0);
     }
 
     /// Curved conditions that are 0 at one place, seen from afar: their places cannot be told apart.

@@ -8,6 +8,7 @@
 #include <map>
 #include <random>
 
+#include "core/function/patterns/pattern.h"
 #include "core/roots/certified/certified_root_finder.h"
 #include "core/roots/lipschitz/lipschitz_root_finder.h"
 #include "core/roots/lipschitz/tape_field.h"
@@ -137,6 +138,34 @@ class FirstRootsTest : public QObject {
                 QVERIFY(std::abs(glm::length(line.origin + t * line.direction) - 1) < 1e-7 * accuracy / 1e-3);
             }
         }
+    }
+
+    /// A hexagon has jumps on all sides, and most of them do not count where the line is: it took 16
+    /// enclosures a line when a jump that cannot be read ended the march.
+    void jumpsThatDoNotCountAreMarchedOver() {
+        Pattern hexagons;
+        hexagons.kind = PatternKind::hexagon;
+        const auto tape =
+            tapeOf([&](auto x, auto y, auto z) { return buildPattern(hexagons, x * 3, y * 3, z * 3, 2); });
+        RootSettings settings;
+        settings.threshold = 0.5;
+        CertifiedRootFinder finder(tape, {}, settings);
+        std::mt19937_64 random(seed + 2);
+        std::size_t hits = 0, lines = 0, proven = 0;
+        for (int view = 0; view < 40; ++view) {
+            const std::vector<LineQuery> queries = test::neighbourLines(random, 0.4);
+            const LineTable table(queries);
+            FirstRoots roots;
+            finder.findFirst(table.columns(), {0, false, {}}, roots);
+            hits += answersOf(roots, table.columns()).size();
+            lines += queries.size();
+            proven += static_cast<std::size_t>(std::ranges::count_if(
+                finder.verdicts(), [](Verdict verdict) { return verdict <= Verdict::certifiedMiss; }));
+        }
+        const double each = static_cast<double>(finder.report().evaluations) / static_cast<double>(lines);
+        qInfo("%zu of %zu lines have roots, %zu are proven, %g enclosures each", hits, lines, proven, each);
+        QCOMPARE(proven, lines);
+        QVERIFY(each < 12);
     }
 
     /// What POV-Ray shows of the faces of a jump depends on where its halving ends.

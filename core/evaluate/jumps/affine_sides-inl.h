@@ -27,6 +27,7 @@ class AffineSideAlgebra : public AffineWholeAlgebra {
         sides.low.fill(SideLanes::beyond);
         sides.high.fill(SideLanes::beyond);
         sides.open.fill(0);
+        sides.blind.fill(0);
         sides.crowded.fill(0);
         passed_.fill(0);
         for (std::size_t i = 0; i < count; ++i) wide_ = wide_ || sides.readAt[i] + 1 > sides.grain[i];
@@ -86,9 +87,10 @@ class AffineSideAlgebra : public AffineWholeAlgebra {
     }
 
     /// Lanes of `where` cannot be read.
-    HWY_INLINE void open(Mask where, std::size_t lane) {
+    HWY_INLINE void open(Mask where, std::size_t lane) { mark(where, sides_->open, lane); }
+    HWY_INLINE void mark(Mask where, SideLanes::Lanes& marks, std::size_t lane) {
         if (HWY_LIKELY(hn::AllFalse(Doubles(), where))) return;
-        put(hn::IfThenElse(where, constantVector(1), lanesOf(sides_->open, lane)), sides_->open, lane);
+        put(hn::IfThenElse(where, constantVector(1), lanesOf(marks, lane)), marks, lane);
     }
 
     /// In the lanes of `where` a side holds while the operand is between the two bounds, as it is at the
@@ -145,7 +147,7 @@ class AffineSideAlgebra : public AffineWholeAlgebra {
             hn::Gt(hn::Add(lanesOf(sides_->readAt, lane), constantVector(1)), lanesOf(sides_->grain, lane));
         const Vector before = lanesOf(passed_, lane), one = constantVector(1);
         put(hn::IfThenElse(reaches, hn::Add(before, one), before), passed_, lane);
-        open(hn::And(hn::And(reaches, wide), hn::Ge(before, one)), lane);
+        mark(hn::And(hn::And(reaches, wide), hn::Ge(before, one)), sides_->blind, lane);
     }
 
     /// The lanes that are told the side of the jump at hand.

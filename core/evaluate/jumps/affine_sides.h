@@ -33,7 +33,9 @@ struct SideLanes {
     // The answer. Between readAt and `low` all sides hold.
     Lanes low, high;           ///< the first side that ends on the piece does so here
     Lanes nextJump, nextSide;  ///< that jump, and the side behind it
-    Lanes open;                ///< not 0 where a side cannot be read, nor anything be said of the piece
+    Lanes open;     ///< not 0 where a side cannot be read: the form holds what the function has on all of its
+                    ///< sides
+    Lanes blind;    ///< not 0 where nothing can be said of the piece
     Lanes crowded;  ///< not 0 where sides of several jumps end between low and high, beyond the grain
 
     std::vector<bool> seen;  ///< the evaluator's: jumps of the instructions so far

@@ -330,9 +330,14 @@ std::size_t stepSidesAll(const AffineLanes& forms, const SideLanes& sides, const
         SideStep side(loadStep(rows, k, alive, rules), rows, k);
         MarchStep<true>& step = side.step;
         const Vector a = load(forms.center + k), b = load(forms.slope + k);
-        const Mask open = hn::Ne(load(&sides.open[k]), zero), crowded = hn::Ne(load(&sides.crowded[k]), zero);
-        side.take(hn::Mul(hn::Sub(a, threshold), polarity), hn::Mul(b, polarity),
-                  thresholdError(a, load(forms.error + k)), load(&sides.low[k]), load(&sides.high[k]), open);
+        const Vector above = hn::Sub(a, threshold), error = thresholdError(a, load(forms.error + k));
+        const Mask crowded = hn::Ne(load(&sides.crowded[k]), zero);
+        // A side that the sign does not depend on need not be read.
+        const Mask certain = hn::Gt(hn::Mul(hn::Abs(hn::Sub(above, b)), constant(1 - 4 * unit)), error);
+        const Mask open = hn::Or(hn::Ne(load(&sides.blind[k]), zero),
+                                 hn::AndNot(certain, hn::Ne(load(&sides.open[k]), zero)));
+        side.take(hn::Mul(above, polarity), hn::Mul(b, polarity), error, load(&sides.low[k]),
+                  load(&sides.high[k]), open);
         side.holds = hn::AndNot(crowded, side.holds);
         const Vector hopped = side.hop;
         side.pass(open, load(&sides.nextJump[k]), load(&sides.nextSide[k]));

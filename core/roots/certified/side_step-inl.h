@@ -120,8 +120,8 @@ struct SideStep {
     HWY_INLINE void pass(Mask open, Vector nextJump, Vector nextSide) {
         const Vector zero = hn::Zero(MarchTag()), none = constant(SideLanes::noJump);
         here = hn::AndNot(open, hn::And(step.live, hn::And(ends, hn::Ge(step.t, hn::Add(t, low)))));
-        const Vector left = hn::Sub(hn::Add(t, hop), step.t);
-        hop = hn::Max(left, zero);
+        const Vector reading = hn::Add(t, hop);
+        hop = hn::Max(hn::Sub(reading, step.t), zero);
         const Mask behindIt = hn::Eq(hop, zero);
         toldJump = hn::IfThenElse(behindIt, none, toldJump);
         const Mask resumes = hn::AndNot(here, hn::And(step.live, hn::And(behindIt, hn::Gt(step.t, t))));
@@ -136,7 +136,7 @@ struct SideStep {
         const Mask atWall = hn::And(here, hn::Le(hn::Sub(step.far, step.t), finestPlace(step.resolution)));
         step.t = hn::IfThenElse(atWall, step.far, step.t);
         here = hn::AndNot(atWall, here);
-        if (!hn::AllFalse(MarchTag(), here)) passJump(nextJump, nextSide);
+        if (!hn::AllFalse(MarchTag(), here)) passJump(reading, nextJump, nextSide);
         // No room is left before the wall.
         giveUp(hn::And(step.live, hn::Gt(hn::Mul(hop, constant(4)), hn::Sub(step.far, step.t))));
     }
@@ -150,10 +150,12 @@ struct SideStep {
         step.raise(MarchEvent::unresolved, those);
     }
     /// Where the sign lasts as long as the side may, the piece behind is enclosed on the next one: read right
-    /// behind a place that is as exact as doubles are, else told, up to where it is known to hold.
-    HWY_INLINE void passJump(Vector nextJump, Vector nextSide) {
+    /// behind a place that is as exact as doubles are, else told, up to where it is known to hold. `reading`
+    /// is where the sides were read.
+    HWY_INLINE void passJump(Vector reading, Vector nextJump, Vector nextSide) {
         const Vector zone = hn::Sub(high, low), rest = hn::Sub(length, low);
-        const Mask exact = hn::Le(zone, hn::Mul(step.far, constant(32 * unit)));
+        const Vector grain = hn::Mul(step.far, constant(32 * unit));
+        const Mask exact = hn::Le(zone, grain);
         const Mask reads = hn::And(hn::And(here, holds), exact);
         const Mask tells = hn::AndNot(
             exact, hn::And(hn::And(here, holds),
@@ -163,12 +165,17 @@ struct SideStep {
         giveUp(hn::AndNot(hn::Or(again, through), here));
         // Close to the wall, its value decides.
         giveUp(hn::And(here, hn::Ge(step.t, step.far)));
-        hop = hn::IfThenElse(through, zone, hop);
+        hop = hn::IfThenElse(reads, hn::Max(zone, hn::Mul(grain, constant(0.5))),
+                             hn::IfThenElse(tells, zone, hop));
         toldJump = hn::IfThenElse(tells, nextJump, toldJump);
         toldSide = hn::IfThenElse(tells, nextSide, toldSide);
         const Vector wish = hn::Max(hn::Max(rest, behind), step.h);
         behind = hn::IfThenElse(again, hn::Max(behind, rest), hn::IfThenZeroElse(reads, behind));
         const Vector shorter = hn::Min(hn::Mul(zone, constant(1.25)), hn::Mul(length, constant(0.5)));
+        // From a little before the jump: where it begins, its own side could not be read.
+        const Vector back = hn::Mul(hn::Max(shorter, step.resolution), constant(0.25));
+        const Vector before = hn::Max(hn::Sub(step.t, back), hn::Min(reading, step.t));
+        step.t = hn::IfThenElse(again, before, step.t);
         step.h =
             hn::IfThenElse(again, shorter, hn::IfThenElse(tells, rest, hn::IfThenElse(reads, wish, step.h)));
     }
