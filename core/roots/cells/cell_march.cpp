@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "core/evaluate/jumps/affine_cases.h"
+
 namespace isoscope {
 
 namespace {
@@ -15,6 +17,16 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t shortTape = 24;
 /// Cells that cost more than so many enclosures of each line by the whole tape do not pay.
 constexpr std::size_t dearestLine = 48;
+
+/// The instructions of a tape, which count more where it holds steps: lines that march by it end at the
+/// first.
+std::size_t burdenOf(const SimplifiedTape& tape) {
+    constexpr std::size_t costOfSteps = 4;
+    const bool hasSteps = std::ranges::any_of(tape.instructions, [](const Instruction& instruction) {
+        return hasSides(instruction.operation) && !isChoice(instruction.operation);
+    });
+    return tape.instructions.size() * (hasSteps ? costOfSteps : 1);
+}
 
 std::uint64_t lanesFrom(std::size_t first, std::size_t end) {
     const std::uint64_t below = end < batchLanes ? (std::uint64_t(1) << end) - 1 : ~std::uint64_t(0);
@@ -87,7 +99,7 @@ bool CellMarch::pays() {
             if (!(end > t)) return false;
             if (cell.sign <= 0) {
                 if (tapes++ == 0) piecesAreShort = makesShort(cell, tile.bundle, {t, end});
-                left += cell.tape->instructions.size();
+                left += burdenOf(*cell.tape);
                 break;
             }
             t = end;
@@ -102,7 +114,7 @@ bool CellMarch::makesShort(const CellTree::Cell& cell, const LineBundle& bundle,
     std::size_t left = 0;
     for (std::size_t lane = 0; lane < depth; ++lane) {
         pieces_.simplify(lanesFrom(lane, lane + 1), pieceTape_);
-        left += pieceTape_.instructions.size();
+        left += burdenOf(pieceTape_);
     }
     return shortTapes_.areShort(left, depth);
 }
