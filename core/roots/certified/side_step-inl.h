@@ -58,6 +58,7 @@ struct SideStep {
     Vector t, length;  ///< of the whole piece
     Vector low, high;  ///< from its start to where the side may end, and certainly has
     Mask ends, holds;  ///< whether it does on the piece, and whether the sign lasts until then for certain
+    Vector reach;      ///< how long a piece may be whose error is no larger than what the function changes
     Mask here;         ///< of pass(): whether it has come there
     Vector hop, behind, toldJump, toldSide;  ///< as in MarchKernel::Column
 
@@ -68,7 +69,7 @@ struct SideStep {
 
     /// Encloses the function up to the first jump, and takes a step.
     HWY_INLINE void take(Vector a, Vector b, Vector e, Vector firstLow, Vector firstHigh, Mask open) {
-        const Vector one = constant(1), half = constant(0.5);
+        const Vector one = constant(1), half = constant(0.5), zero = hn::Zero(MarchTag());
         t = step.t, length = step.h;
         ends = hn::Lt(firstLow, one);
         const Vector part = hn::IfThenElse(ends, hn::Mul(half, hn::Add(one, firstLow)), one);
@@ -81,6 +82,8 @@ struct SideStep {
         const Mask waiting = hn::And(open, step.live);
         step.live = hn::AndNot(open, step.live);
         step.take(hn::Add(hn::Sub(a, b), slope), slope, error);
+        const Vector change = hn::Add(hn::Abs(b), hn::Abs(b));
+        reach = hn::IfThenElse(hn::Gt(e, zero), hn::Mul(length, hn::Sqrt(hn::Div(change, e))), step.far);
         const Vector atJump = hn::Mul(hn::MulAdd(b, firstHigh, a), step.sign);
         holds = hn::Gt(atJump, error);
         // An error that is as large only because the piece is so much longer than what counts of it.
@@ -104,7 +107,7 @@ struct SideStep {
         const Vector shorter =
             hn::IfThenElse(entering, hn::Max(hn::Sqrt(hn::Mul(length, hop)), step.resolution), length);
         step.h = hn::IfThenElse(waiting, hn::Min(shorter, hn::Mul(length, constant(0.45))), step.h);
-        behind = hn::IfThenElse(entering, hn::Max(behind, length), behind);
+        behind = hn::IfThenElse(entering, hn::Max(behind, length), hn::IfThenZeroElse(waiting, behind));
         giveUp(hn::And(waiting, hn::Le(length, step.resolution)));
     }
 
@@ -121,12 +124,18 @@ struct SideStep {
         const Vector zero = hn::Zero(MarchTag()), none = constant(SideLanes::noJump);
         here = hn::AndNot(open, hn::And(step.live, hn::And(ends, hn::Ge(step.t, hn::Add(t, low)))));
         const Vector reading = hn::Add(t, hop);
-        hop = hn::Max(hn::Sub(reading, step.t), zero);
+        // As it was, to the last bit, where the line has not moved.
+        hop = hn::IfThenElse(hn::Gt(step.t, t), hn::Max(hn::Sub(reading, step.t), zero), hop);
         const Mask behindIt = hn::Eq(hop, zero);
         toldJump = hn::IfThenElse(behindIt, none, toldJump);
         const Mask resumes = hn::AndNot(here, hn::And(step.live, hn::And(behindIt, hn::Gt(step.t, t))));
-        step.h = hn::IfThenElse(resumes, hn::Max(step.h, behind), step.h);
-        behind = hn::IfThenZeroElse(resumes, behind);
+        // Errors grow with the square of the length: longer pieces would hold the jump again.
+        const Vector possible = hn::Min(behind, reach);
+        step.h = hn::IfThenElse(resumes, hn::Max(step.h, possible), step.h);
+        const Mask passes =
+            hn::Ge(hn::Add(step.t, hn::Mul(length, constant(1.0 / 1024))), hn::Add(t, length));
+        const Mask longer = hn::And(passes, hn::Lt(step.h, behind));
+        behind = hn::IfThenZeroElse(hn::AndNot(longer, resumes), behind);
         // What is told holds no further than the piece did.
         const Mask told = hn::AndNot(here, hn::And(step.live, hn::Ge(toldJump, zero)));
         const Vector rest = hn::Sub(hn::Add(t, length), step.t);
