@@ -26,23 +26,31 @@ Expression ellipsoid(const BuiltinCall& call) {
     return length(p[0] * x, p[1] * y, p[2] * z);
 }
 
-/// (x, y) folded into one twelfth of a hexagonal cell.
-std::pair<Expression, Expression> foldedHexagon(const BuiltinCall& call) {
+/// A place in a lattice of hexagons: how far it is from a centre, along both axes, and from the nearest
+/// centre of the other half of them. Whichever of the two is the nearer, what hexX and hexY measure is least
+/// there: so neither has to ask, nor for the angle, and both are free of jumps.
+struct HexagonPlace {
+    Expression a, b, otherA, otherB;
+};
+HexagonPlace hexagonPlace(const BuiltinCall& call) {
     const double q = std::sqrt(3.0);
     const Expression a = offMiddle(call.x, call.x.number(q)), b = offMiddle(call.y, call.y.number(3));
-    const Expression otherA = q / 2 - a, otherB = 1.5 - b;
-    const Expression otherIsNearer = sq(otherA) + sq(otherB) - (sq(a) + sq(b));
-    return {select(otherIsNearer, otherA, a), select(otherIsNearer, otherB, b)};
+    return {a, b, q / 2 - a, 1.5 - b};
 }
 
+/// From the centre of the hexagon to its side that is 0 or 60 degrees away.
 Expression hexX(const BuiltinCall& call) {
-    const auto [a, b] = foldedHexagon(call);
-    return select(atan2(b, a) - pi / 6, a, std::cos(pi / 3) * a + std::sin(pi / 3) * b);
+    const auto [a, b, otherA, otherB] = hexagonPlace(call);
+    const auto toSide = [](const Expression& across, const Expression& along) {
+        return max(across, std::cos(pi / 3) * across + std::sin(pi / 3) * along);
+    };
+    return min(toSide(a, b), toSide(otherA, otherB));
 }
 
+/// From the nearest line through centres, at 0 or 60 degrees; the latter go through those of both halves.
 Expression hexY(const BuiltinCall& call) {
-    const auto [a, b] = foldedHexagon(call);
-    return select(atan2(b, a) - pi / 6, b, abs(-std::sin(pi / 3) * a + std::cos(pi / 3) * b));
+    const auto [a, b, otherA, otherB] = hexagonPlace(call);
+    return min(min(b, otherB), abs(std::cos(pi / 3) * b - std::sin(pi / 3) * a));
 }
 
 /// Distance from the nearest thread of a set that is `spacing` * 2 apart, times `thickness`.
