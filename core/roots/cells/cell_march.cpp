@@ -15,6 +15,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Tapes as short as this are not worth an enclosure that makes them shorter.
 constexpr std::size_t shortTape = 24;
+/// Of tapes that are shorter than this, those of pieces alone are not worth their making.
+constexpr std::size_t longTape = 128;
 /// Cells that cost more than so many enclosures of each line by the whole tape do not pay.
 constexpr std::size_t dearestLine = 48;
 
@@ -98,7 +100,8 @@ bool CellMarch::pays() {
             const double end = cell.exit(tile.bundle);
             if (!(end > t)) return false;
             if (cell.sign <= 0) {
-                if (tapes++ == 0) piecesAreShort = makesShort(cell, tile.bundle, {t, end});
+                if (tapes++ == 0 && tree_.whole().instructions.size() >= longTape)
+                    piecesAreShort = makesShort(cell, tile.bundle, {t, end});
                 left += burdenOf(*cell.tape);
                 break;
             }
