@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/evaluate/affine_case_kernel.h"
 #include "core/evaluate/affine_kernel.h"
@@ -47,16 +48,30 @@ AffineForm uniformForm(double value) {
 }  // namespace
 
 AffineEvaluator::AffineEvaluator(std::shared_ptr<const PreparedFunction> function)
+    : AffineEvaluator(function, function->global()) {}
+
+AffineEvaluator::AffineEvaluator(std::shared_ptr<const PreparedFunction> function,
+                                 std::shared_ptr<const GlobalSimplification> global)
     : function_(std::move(function)),
-      global_(function_->global()),
+      global_(std::move(global)),
       tape_(function_->tape().get()),
       workspace_(*tape_, function_->uniforms(), components, &global_->domains()),
       programs_(function_),
-      certain_(hasCertainBounds(*tape_)),
-      canJump_(hasJumps(decided() != nullptr ? decided()->instructions : tape_->instructions())),
-      hasApproximations_(global_->approximations().size() > 1) {
+      certain_(hasCertainBounds(*tape_)) {
+    lookAtTape();
     for (int k = 0; k < tape_->argumentCount(); ++k)
         std::fill_n(workspace_.ownArgument(k), components * batchLanes, 0.0);
+}
+
+void AffineEvaluator::lookAtTape() {
+    canJump_ = hasJumps(decided() != nullptr ? decided()->instructions : tape_->instructions());
+    hasApproximations_ = global_->approximations().size() > 1;
+}
+
+void AffineEvaluator::keepValues() {
+    // The workspace refers to the domains, which are those of the tape for any threshold, of what it has now.
+    kept_ = std::exchange(global_, function_->global());
+    lookAtTape();
 }
 
 AffineEvaluator::AffineEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)

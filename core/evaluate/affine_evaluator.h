@@ -72,8 +72,15 @@ struct AffineLanes {
 class AffineEvaluator {
   public:
     explicit AffineEvaluator(std::shared_ptr<const PreparedFunction> function);
+    /// With what is known over all of space, PreparedFunction::global() or globalFor(): with the latter,
+    /// forms are those of a function with the same sign.
+    AffineEvaluator(std::shared_ptr<const PreparedFunction> function,
+                    std::shared_ptr<const GlobalSimplification> global);
     /// The function is prepared for this evaluator alone.
     AffineEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters);
+
+    /// From now on forms are of the function itself again. Only before the first evaluation.
+    void keepValues();
 
     /// forms[i] for the first forms.size() lanes (at most batchLanes).
     void evaluate(const RayPieces& pieces, std::span<AffineForm> forms, std::size_t result = 0);
@@ -118,6 +125,7 @@ class AffineEvaluator {
     bool certain() const { return certain_; }
 
   private:
+    void lookAtTape();
     void placeArguments(const PieceColumns& pieces, std::size_t count, const RaySpread* spread);
 
     const SimplifiedTape* decided() const;
@@ -130,6 +138,7 @@ class AffineEvaluator {
 
     std::shared_ptr<const PreparedFunction> function_;
     std::shared_ptr<const GlobalSimplification> global_;
+    std::shared_ptr<const GlobalSimplification> kept_;  ///< whose domains the workspace has
     const Tape* tape_;
     TapeWorkspace workspace_;
     TapePrograms programs_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluate/prepared_function.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 
@@ -18,13 +19,13 @@ const TapeLinks& PreparedTape::links() const {
 }
 
 GlobalSimplification::GlobalSimplification(const std::shared_ptr<const Tape>& tape, const TapeLinks& links,
-                                           const UniformValues& uniforms) {
+                                           const UniformValues& uniforms, std::span<const SignLevel> levels) {
     IntervalEvaluator everywhere(tape, uniforms);
     // Arguments behind x, y, z are 0.
     const std::array box{Interval::all(), Interval::all(), Interval::all()};
     everywhere.evaluate(box);
     domains_ = OperandDomains(*tape, everywhere);
-    approximations_ = approximationsOf(links, everywhere, uniforms);
+    approximations_ = approximationsOf(links, everywhere, uniforms, levels);
     for (const TapeApproximation& approximation : approximations_)
         codes_.emplace_back(*tape, approximation.tape.instructions, std::span(&approximation.tape.result, 1));
 }
@@ -62,6 +63,23 @@ std::shared_ptr<const GlobalSimplification> PreparedFunction::global() const {
     global_ = std::move(made);
     kept_.store(global_.get(), std::memory_order_release);
     return global_;
+}
+
+std::shared_ptr<const GlobalSimplification> PreparedFunction::globalFor(double threshold) const {
+    const std::shared_ptr<const GlobalSimplification> plain = global();
+    const std::vector<std::uint32_t>& numbers = links().whole().levelNumbers;
+    const SimplifiedTape* const decided = plain->decided();
+    if (decided == nullptr ||
+        std::all_of(numbers.begin(), numbers.end(), [](auto number) { return number == 0; }))
+        return plain;
+    const std::lock_guard lock(signMutex_);
+    if (signGlobal_ && signThreshold_ == threshold) return signGlobal_;
+    const std::vector<SignLevel> levels = links().levels(uniforms_, threshold);
+    auto made = std::make_shared<const GlobalSimplification>(tape_, links(), uniforms_, levels);
+    const bool shorter = made->decided()->instructions.size() < decided->instructions.size();
+    signGlobal_ = shorter ? std::move(made) : plain;
+    signThreshold_ = threshold;
+    return signGlobal_;
 }
 
 }  // namespace isoscope

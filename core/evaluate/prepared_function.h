@@ -45,9 +45,10 @@ class PreparedTape {
 /// approximations without what is decided or next to nothing everywhere. Immutable.
 class GlobalSimplification {
   public:
-    /// Both must outlive it, as must the tape that they are for.
+    /// All must outlive it, as must the tape that they are for. With `levels`, approximations are of a
+    /// function that has no more than the signs of this one, as approximationsOf() has it.
     GlobalSimplification(const std::shared_ptr<const Tape>& tape, const TapeLinks& links,
-                         const UniformValues& uniforms);
+                         const UniformValues& uniforms, std::span<const SignLevel> levels = {});
 
     /// For the workspaces of forms.
     const OperandDomains& domains() const { return domains_; }
@@ -95,7 +96,10 @@ class PreparedFunction : public std::enable_shared_from_this<PreparedFunction> {
     /// What is known over all of space. It is kept but when the caller's loops are to end (LoopStop): then
     /// its bounds are wide, and it is for the caller alone.
     std::shared_ptr<const GlobalSimplification> global() const;
-    /// The same if it is kept already, else null.
+    /// The same where nothing but the sign of the function minus a threshold counts: what cannot change it is
+    /// left out. Kept for the last threshold that was asked for; global() itself where that is no shorter.
+    std::shared_ptr<const GlobalSimplification> globalFor(double threshold) const;
+    /// The first if it is kept already, else null.
     const GlobalSimplification* keptGlobal() const { return kept_.load(std::memory_order_acquire); }
 
   private:
@@ -109,6 +113,9 @@ class PreparedFunction : public std::enable_shared_from_this<PreparedFunction> {
     mutable std::shared_ptr<const GlobalSimplification> global_;
     mutable std::atomic<const GlobalSimplification*> kept_ =
         nullptr;  ///< global_, for readers without a lock
+    mutable std::mutex signMutex_;
+    mutable double signThreshold_ = 0;
+    mutable std::shared_ptr<const GlobalSimplification> signGlobal_;  ///< for that threshold
 };
 
 }  // namespace isoscope

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
+#include <random>
 #include <thread>
 #include <QTest>
 
@@ -13,10 +15,14 @@
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/language/parse.h"
 #include "core/shapes/isosurface/isosurface.h"
+#include "tests/support/exact_pieces.h"
+#include "tests/support/tape_of.h"
 
 using namespace isoscope;
 
 namespace {
+
+constexpr std::uint64_t seed = 314159;
 
 /// A function of two parameters, of which it uses the second; with a choice that is decided everywhere.
 std::shared_ptr<const Tape> clampedTape() {
@@ -134,6 +140,59 @@ class PreparedFunctionTest : public QObject {
 
     /// Threads that share a function find what each would find with its own, though the parts are made while
     /// they ask.
+    /// Steps from 0.1 to 0.9 about 0.5: which of those above it is met does not count, nor of those below.
+    void casesOnOneSideOfTheThresholdAreOne() {
+        const auto tape = test::tapeOf([](auto x, auto y, auto z) {
+            const auto above = select(sq(x) + y - 0.3, x.number(0.8), x.number(0.9));
+            const auto below = select(sq(z) - y, x.number(0.1), x.number(0.2));
+            return min(select(x + y * z, above, below), 3 + sq(x));
+        });
+        const auto function = PreparedFunction::of(tape, {});
+        const auto signs = function->globalFor(0.5);
+        QCOMPARE(function->globalFor(0.5), signs);
+        QVERIFY(signs != function->global());
+        const auto operations = [](const GlobalSimplification& global) {
+            std::vector<Operation> kinds;
+            for (const Instruction& instruction : global.decided()->instructions)
+                kinds.push_back(instruction.operation);
+            return kinds;
+        };
+        const std::vector<Operation> left = operations(*signs), all = operations(*function->global());
+        QCOMPARE(std::count(left.begin(), left.end(), Operation::select3), 1);
+        QCOMPARE(std::count(all.begin(), all.end(), Operation::select3), 3);
+        // Between two of its steps the select of the lower ones counts.
+        const std::vector<Operation> between = operations(*function->globalFor(0.15));
+        QCOMPARE(std::count(between.begin(), between.end(), Operation::select3), 2);
+        // Nothing is left out where no case is certain to be on one side.
+        const auto smooth = PreparedFunction::of(
+            test::tapeOf([](auto x, auto y, auto) { return select(x, x + y, sq(y)); }), {});
+        QCOMPARE(smooth->globalFor(0.5), smooth->global());
+
+        AffineEvaluator values(function), sides(function, signs);
+        std::mt19937_64 random(seed);
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        std::size_t certain = 0;
+        for (int round = 0; round < 50; ++round) {
+            RayPieces pieces = test::randomPieces(random);
+            std::array<AffineForm, batchLanes> own, other;
+            values.evaluate(pieces, own);
+            sides.evaluate(pieces, other);
+            for (std::size_t i = 0; i < batchLanes; ++i) {
+                const auto sign = [](const AffineForm& form) {
+                    const double reach = std::abs(form.b) + form.e;
+                    return form.a - reach > 0.5 ? 1 : form.a + reach < 0.5 ? -1 : 0;
+                };
+                if (sign(own[i]) == 0 || sign(other[i]) == 0) continue;
+                QCOMPARE(sign(other[i]), sign(own[i]));
+                ++certain;
+            }
+        }
+        QVERIFY(certain > 500);
+        AffineEvaluator again(function, signs);
+        again.keepValues();
+        QCOMPARE(formsOf(again), formsOf(values));
+    }
+
     void threadsShareIt() {
         for (const auto& tape : {clampedTape(), longLoop()})
             for (int round = 0; round < 20; ++round) {

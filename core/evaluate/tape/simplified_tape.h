@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/evaluate/tape/tape.h"
+#include "core/numeric/interval.h"
 
 namespace isoscope {
 
@@ -57,6 +59,19 @@ struct LaneChoices {
 struct SignLevel {
     double value = 0;
     double reach = 0;
+
+    /// Whether it is below all values of an interval, or above, by more than values as doubles are off; false
+    /// where some may be undefined.
+    bool isBelow(const Interval& values) const {
+        return isSure(values) && value + reach + roundings(values.low) < values.low;
+    }
+    bool isAbove(const Interval& values) const {
+        return isSure(values) && values.high + roundings(values.high) < value - reach;
+    }
+
+  private:
+    static bool isSure(const Interval& values) { return !values.maybeUndefined && !values.empty(); }
+    double roundings(double other) const { return 1e-15 * (std::abs(value) + reach + std::abs(other)); }
 };
 
 /// What an evaluation is for when only the sign of the result minus a threshold matters. For a choosing

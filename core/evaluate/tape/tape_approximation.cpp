@@ -60,8 +60,12 @@ struct Term {
 class TapeApproximator {
   public:
     TapeApproximator(const TapeLinks& links, const IntervalEvaluator& everywhere,
-                     const UniformValues& uniforms)
-        : tape_(links.tape()), everywhere_(everywhere), uniforms_(uniforms), simplifier_(links) {}
+                     const UniformValues& uniforms, std::span<const SignLevel> levels)
+        : tape_(links.tape()),
+          everywhere_(everywhere),
+          uniforms_(uniforms),
+          simplifier_(links),
+          signs_{levels, levels.empty() ? std::span<const std::uint32_t>() : simplifier_.levelNumbers()} {}
 
     std::vector<TapeApproximation> run() {
         std::vector<TapeApproximation> approximations(1);
@@ -88,11 +92,33 @@ class TapeApproximator {
   private:
     std::vector<Choice> decidedChoices() const {
         std::vector<Choice> choices;
-        for (const Instruction& instruction : tape_.instructions())
-            if (isChoice(instruction.operation))
-                choices.push_back(
-                    decidedEverywhere(instruction.operation, range(instruction, 0), range(instruction, 1)));
+        for (const Instruction& instruction : tape_.instructions()) {
+            if (!isChoice(instruction.operation)) continue;
+            Choice choice =
+                decidedEverywhere(instruction.operation, range(instruction, 0), range(instruction, 1));
+            if (choice == Choice::open)
+                if (const SignLevel* level = signs_.of(choices.size()))
+                    choice = decidedFor(*level, instruction);
+            choices.push_back(choice);
+        }
         return choices;
+    }
+
+    /// As BoxEvaluator decides where only the sign of the instruction's value minus a level counts.
+    Choice decidedFor(const SignLevel& level, const Instruction& instruction) const {
+        const auto isAbove = [&](int k) { return level.isBelow(range(instruction, k)); };
+        const auto isBelow = [&](int k) { return level.isAbove(range(instruction, k)); };
+        if (isSelect(instruction.operation)) {
+            bool above = true, below = true;
+            for (int k = 1; k < instruction.operandCount; ++k) {
+                above = above && isAbove(k);
+                below = below && isBelow(k);
+            }
+            return above || below ? cheapestCase(tape_, instruction) : Choice::open;
+        }
+        const bool takesLower = instruction.operation == Operation::minimum;
+        const auto leavesTheSign = [&](int k) { return takesLower ? isAbove(k) : isBelow(k); };
+        return leavesTheSign(0) ? Choice::second : leavesTheSign(1) ? Choice::first : Choice::open;
     }
 
     const Interval& range(const Instruction& instruction, int operand) const {
@@ -206,6 +232,7 @@ class TapeApproximator {
     const IntervalEvaluator& everywhere_;
     const UniformValues& uniforms_;
     TapeSimplifier simplifier_;
+    SignStakes signs_;
     SimplifiedTape whole_;
     struct Weight {
         double sum = 0;
@@ -217,9 +244,10 @@ class TapeApproximator {
 }  // namespace
 
 std::vector<TapeApproximation> approximationsOf(const TapeLinks& links, const IntervalEvaluator& everywhere,
-                                                const UniformValues& uniforms) {
+                                                const UniformValues& uniforms,
+                                                std::span<const SignLevel> levels) {
     if (!links.tape().loops().empty()) return {};
-    return TapeApproximator(links, everywhere, uniforms).run();
+    return TapeApproximator(links, everywhere, uniforms, levels).run();
 }
 
 }  // namespace isoscope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/evaluate/tape/tape_simplifier.h"
@@ -25,7 +26,12 @@ struct TapeApproximation {
 /// Approximations of the tape's first result, in real arithmetic: first one without error, then coarser ones,
 /// each a good deal cheaper than the one before. `everywhere` has just enclosed the tape for all arguments
 /// there may be, with these uniform values. At most mostApproximations; none for tapes with loops.
+///
+/// With `levels` (TapeLinks::levels() for a threshold) they approximate another function, which is above the
+/// threshold where this one is, and below where this one is, in doubles: cases that are all on one side of
+/// the threshold are one.
 std::vector<TapeApproximation> approximationsOf(const TapeLinks& links, const IntervalEvaluator& everywhere,
-                                                const UniformValues& uniforms);
+                                                const UniformValues& uniforms,
+                                                std::span<const SignLevel> levels = {});
 
 }  // namespace isoscope

@@ -24,7 +24,7 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const PreparedFunction>
     : settings_(settings.usable()),
       function_(std::move(function)),
       global_(function_->global()),
-      forms_(function_),
+      forms_(function_, function_->globalFor(settings_.threshold)),
       points_(function_),
       gradients_(function_),
       bundles_(function_->cost()),

@@ -73,8 +73,11 @@ class CertifiedRootFinder : public LineRootFinder {
     /// through infinity; they are no surface.
     void listPoles() { lanes_.listPoles(); }
     /// From now on find() tells `recorder`, which must live as long, how it searches lists of less than 16
-    /// lines.
-    void recordInto(ProofRecorder& recorder) { lanes_.recordInto(&recorder); }
+    /// lines, by enclosures of the function itself. Only before the first search.
+    void recordInto(ProofRecorder& recorder) {
+        forms_.keepValues();
+        lanes_.recordInto(&recorder);
+    }
 
   private:
     /// What is known of the function where a line leaves its interval.
