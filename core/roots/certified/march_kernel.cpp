@@ -262,8 +262,7 @@ std::size_t stepWholeAll(const AffineLanes& forms, const PlainMarchRules& rules,
         step.take(hn::Mul(hn::Sub(a, threshold), polarity), hn::Mul(b, polarity),
                   thresholdError(a, load(forms.error + k)));
         // What a good part of the piece is free by itself is no matter of sides.
-        const Mask passed =
-            hn::Ge(step.t, hn::Min(hn::MulAdd(piece, constant(0.25), begun), step.far));
+        const Mask passed = hn::Ge(step.t, hn::Min(hn::MulAdd(piece, constant(0.25), begun), step.far));
         const Mask stuck = hn::Eq(step.events, constant(static_cast<double>(MarchEvent::unresolved)));
         const Mask undecided = hn::And(alive, hn::Or(stuck, hn::AndNot(passed, step.live)));
         if (!hn::AllFalse(MarchTag(), undecided)) {
