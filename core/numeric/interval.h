@@ -27,6 +27,8 @@ struct Interval {
 
     /// Undefined everywhere; a NaN for an end counts as this, too.
     bool empty() const { return !(low <= high); }
+    /// Whether every value is a number.
+    bool isDefined() const { return !maybeUndefined && !empty(); }
     /// One value, exactly, and defined everywhere.
     bool isPoint() const { return low == high && !maybeUndefined; }
     /// Whether `value` may be a value of the expression; NaN stands for undefined.

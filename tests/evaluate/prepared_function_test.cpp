@@ -168,6 +168,11 @@ class PreparedFunctionTest : public QObject {
             test::tapeOf([](auto x, auto y, auto) { return select(x, x + y, sq(y)); }), {});
         QCOMPARE(smooth->globalFor(0.5), smooth->global());
 
+        // Nor beside what may be no number: min makes 5 of it.
+        const auto rooted = PreparedFunction::of(
+            test::tapeOf([](auto x, auto, auto) { return min(sqrt(x), x.number(5)); }), {});
+        QCOMPARE(rooted->globalFor(0.5), rooted->global());
+
         AffineEvaluator values(function), sides(function, signs);
         std::mt19937_64 random(seed);
         qInfo("seed %llu", static_cast<unsigned long long>(seed));

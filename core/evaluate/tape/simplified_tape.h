@@ -63,14 +63,13 @@ struct SignLevel {
     /// Whether it is below all values of an interval, or above, by more than values as doubles are off; false
     /// where some may be undefined.
     bool isBelow(const Interval& values) const {
-        return isSure(values) && value + reach + roundings(values.low) < values.low;
+        return values.isDefined() && value + reach + roundings(values.low) < values.low;
     }
     bool isAbove(const Interval& values) const {
-        return isSure(values) && values.high + roundings(values.high) < value - reach;
+        return values.isDefined() && values.high + roundings(values.high) < value - reach;
     }
 
   private:
-    static bool isSure(const Interval& values) { return !values.maybeUndefined && !values.empty(); }
     double roundings(double other) const { return 1e-15 * (std::abs(value) + reach + std::abs(other)); }
 };
 

@@ -29,11 +29,11 @@ double costOf(const SimplifiedTape& tape) {
 }
 
 Choice decidedEverywhere(Operation operation, const Interval& p, const Interval& q) {
-    if (p.maybeUndefined || p.empty()) return Choice::open;
+    if (!p.isDefined()) return Choice::open;
     switch (operation) {
         case Operation::minimum:
         case Operation::maximum: {
-            if (q.maybeUndefined || q.empty()) return Choice::open;
+            if (!q.isDefined()) return Choice::open;
             const bool below = p.high <= q.low, above = q.high <= p.low;
             if (!below && !above) return Choice::open;
             return below == (operation == Operation::minimum) ? Choice::first : Choice::second;
@@ -116,6 +116,8 @@ class TapeApproximator {
             }
             return above || below ? cheapestCase(tape_, instruction) : Choice::open;
         }
+        // Of an operand that is not a number min and max make the other one, or none.
+        if (!range(instruction, 0).isDefined() || !range(instruction, 1).isDefined()) return Choice::open;
         const bool takesLower = instruction.operation == Operation::minimum;
         const auto leavesTheSign = [&](int k) { return takesLower ? isAbove(k) : isBelow(k); };
         return leavesTheSign(0) ? Choice::second : leavesTheSign(1) ? Choice::first : Choice::open;
