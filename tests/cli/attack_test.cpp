@@ -324,6 +324,48 @@ class AttackTest : public QObject {
         QVERIFY2(peakOfChildren() < 1000, QByteArray::number(qlonglong(peakOfChildren())) + " MB");
     }
 
+    /// A function with 300 periods across the container has a surface in each box: the mesh of as many boxes
+    /// as were looked at took 4.7 GB.
+    void meshesKeepTheirMemory_data() {
+        QTest::addColumn<QByteArray>("function");
+        QTest::addColumn<QString>("file");
+        const QByteArray sum = "sin(942*x)+sin(942*y)+sin(942*z)",
+                         drops = "0.3-sin(942*x)*sin(942*y)*sin(942*z)",
+                         waves = "y-0.01*sin(942*x)*sin(942*z)";
+        QTest::newRow("a labyrinth") << sum << "a.stl";
+        QTest::newRow("drops") << drops << "a.glb";
+        QTest::newRow("drops for a printer") << drops << "a.3mf";
+        QTest::newRow("waves") << waves << "a.inc";
+    }
+
+    void meshesKeepTheirMemory() {
+        QFETCH(QByteArray, function);
+        QFETCH(QString, file);
+        const ProgramResult result =
+            runCli({"mesh",
+                    this->file("isosurface { function { " + function +
+                               " } contained_by { box { -1, 1 } } max_gradient 2000 pigment { bozo } }\n"),
+                    "-o", folder_.filePath(file)},
+                   120);
+        QVERIFY2(result.status == 0, result.errors.left(300));
+        QVERIFY2(result.errors.contains("--cells or --memory ended the search"), result.errors.left(300));
+        QVERIFY2(peakOfChildren() < 1000, QByteArray::number(qlonglong(peakOfChildren())) + " MB");
+    }
+
+    /// Nor do many meshes together take more.
+    void manyMeshesKeepTheirMemory() {
+        const QByteArray one =
+            "isosurface { function { sin(60*x)*sin(60*y)*sin(60*z)-N/100 } contained_by { box { -1, 1 } } "
+            "}\n";
+        const ProgramResult result = runCli({"mesh", file("#for (N, 1, 80) " + one + "#end\n"), "-o",
+                                             folder_.filePath("many.stl"), "--memory", "100"},
+                                            120);
+        QCOMPARE(result.status, 1);
+        QVERIFY2(result.errors.contains("the mesh would take more than 100 MB of memory"),
+                 result.errors.left(300));
+        QVERIFY2(peakOfChildren() < 1000, QByteArray::number(qlonglong(peakOfChildren())) + " MB");
+    }
+
     void drawingEnds_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("solver");
