@@ -152,8 +152,8 @@ std::vector<PlacedIsosurface> placedIsosurfaces(const Scene& scene) {
 SceneMesh meshScene(const Scene& scene, const std::vector<PlacedIsosurface>& surfaces,
                     const SceneMeshSettings& settings, const std::function<void(double)>& progress,
                     const std::stop_token& stop) {
-    SceneMesher mesher(scene, settings, stop);
     try {
+        SceneMesher mesher(scene, settings, stop);
         if (surfaces.empty()) mesher.fail("the scene has no isosurface");
         for (std::size_t i = 0; i < surfaces.size(); ++i) {
             const auto share = [&](double done) {
