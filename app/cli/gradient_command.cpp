@@ -31,7 +31,7 @@ struct GradientArguments {
     std::string object;
     std::string table;
     GradientStudySettings settings{.threads = 0};
-    double proofLimit = 20;  ///< seconds for each isosurface or row
+    std::optional<double> proofLimit;  ///< seconds for all of it
     std::string changedScene;
     std::vector<std::string> only;
     bool repair = false;
@@ -40,20 +40,64 @@ struct GradientArguments {
     bool json = false;
 };
 
+/// Where no other is asked for: by what the caller has named, not by what that holds.
+double proofSeconds(const GradientArguments& arguments) {
+    if (arguments.proofLimit) return *arguments.proofLimit;
+    if (!arguments.table.empty()) return WorkLimit::ofPictures;
+    return WorkLimit::ofStudies * static_cast<double>(1 + arguments.moreScenes.size());
+}
+
+/// The time of a whole command, however many isosurfaces or rows there are.
+class ProofTime {
+  public:
+    explicit ProofTime(const GradientArguments& arguments)
+        : seconds_(proofSeconds(arguments)), limit_(seconds_) {}
+
+    std::stop_token token() const { return limit_.token(); }
+    bool over() const { return limit_.over(); }
+    /// For the picture of one scene.
+    double secondsForPicture(std::size_t scenes) {
+        return std::min(seconds_ / (4 * static_cast<double>(scenes)), limit_.secondsLeft());
+    }
+    /// "PLACE: note: the time is over (--proof-limit 20); WHAT" on standard error.
+    void tell(const std::string& place, std::string_view severity, const std::string& what) const {
+        std::cerr << place << ": " << severity << ": the time is over (--proof-limit "
+                  << shortestNumber(seconds_) << "); " << what << '\n';
+    }
+
+  private:
+    double seconds_;
+    TimeLimit limit_;
+};
+
+/// The verdict on what the time did not suffice for: nothing is proven of it.
+constexpr const char* notStudied = "not-studied";
+
+/// "this row and the 7 after it were not studied".
+std::string notStudiedText(const std::string& one, std::size_t after) {
+    if (after == 0) return "this " + one + " was not studied";
+    return "this " + one + " and the " + std::to_string(after) + " after it were not studied";
+}
+
+StudiedGradient unstudied() {
+    StudiedGradient result;
+    result.bracket.state = GradientState::stopped;
+    result.verdict = notStudied;
+    return result;
+}
+
 /// `name` is what a message calls it when the time is over.
 StudiedGradient study(const std::shared_ptr<const Tape>& tape, std::span<const double> parameters,
-                      const Container& container, const GradientArguments& arguments,
+                      const Container& container, const GradientArguments& arguments, const ProofTime& time,
                       const std::string& name) {
     const auto begin = std::chrono::steady_clock::now();
-    const TimeLimit limit(arguments.proofLimit);
-    const LoopStop loops(limit.token());
+    const LoopStop loops(time.token());
     StudiedGradient result;
     GradientStudy study(tape, parameters, container, arguments.settings);
-    result.bracket = study.run(limit.token());
+    result.bracket = study.run(time.token());
     const auto& beside = result.bracket.beside;
     if (result.bracket.state == GradientState::stopped || (beside && beside->state == GradientState::stopped))
-        std::cerr << name << ": note: the time is over (--proof-limit " << arguments.proofLimit
-                  << "); what is given is proven so far\n";
+        time.tell(name, "note", "what is given is proven so far");
     result.sampled = study.sampled();
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
@@ -84,7 +128,14 @@ ExitStatus studyTable(const GradientArguments& arguments) {
     if (!table) return inputHasErrors;
     ExitStatus status = done;
     const auto report = reportFor(arguments);
+    const ProofTime time(arguments);
     for (std::size_t row = 0; row < table->rowCount(); ++row) {
+        const std::string name = arguments.table + ": row " + std::to_string(row + 1);
+        if (time.over()) {
+            time.tell(name, "note", notStudiedText("row", table->rowCount() - row - 1));
+            for (; row < table->rowCount(); ++row) report->add(unstudied());
+            break;
+        }
         ParseOptions options;
         options.restrictedReading = true;
         const ParsedFunction parsed =
@@ -99,7 +150,7 @@ ExitStatus studyTable(const GradientArguments& arguments) {
             status = inputHasErrors;
         } else {
             studied = study(Tape::compile(parsed.value.function), parsed.parameterTable, *container,
-                            arguments, arguments.table + ": row " + std::to_string(row + 1));
+                            arguments, time, name);
             studied.verdict = verdictOf(studied.bracket);
         }
         report->add(studied);
@@ -123,7 +174,7 @@ std::string placeOf(const SourceRange& range, const SourceLibrary& sources, cons
 /// The isosurfaces that the scene shows, with what a small picture sees of them; or those of one declared
 /// object.
 std::vector<Subject> subjects(const ParseResult& parsed, const std::string& scene, const std::string& object,
-                              double proofLimit) {
+                              double pictureSeconds) {
     std::vector<Subject> all;
     if (!object.empty()) {
         for (const auto& surface : isosurfacesOf(declaredShape(parsed, object)))
@@ -136,7 +187,7 @@ std::vector<Subject> subjects(const ParseResult& parsed, const std::string& scen
     request.width = 160;
     request.height = 120;
     RenderStatistics statistics;
-    const TimeLimit limit(proofLimit / 4);
+    const TimeLimit limit(pictureSeconds);
     renderImage(request, 0, &statistics, limit.token());
     for (std::size_t i = 0; i < parsed.scene->isosurfaces.size(); ++i) {
         const double steepest = i < statistics.gradients.size() ? statistics.gradients[i].steepest : 0;
@@ -208,36 +259,28 @@ bool noteHolds(const ParseResult& parsed, std::size_t number, const StudiedGradi
     return false;
 }
 
-ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report) {
-    if (!arguments.outputs.mayWrite(arguments.changedScene, OutputKind::scene, arguments.scene.file))
-        return inputHasErrors;
-    const ParseResult parsed = loadScene(arguments.scene);
-    printDiagnostics(parsed.diagnostics, *parsed.sources, true);
-    const std::vector<Subject> found =
-        subjects(parsed, arguments.scene.file, arguments.object, arguments.proofLimit);
-    if (found.empty()) {
-        std::cerr << arguments.scene.file << ": error: there is no isosurface"
-                  << (arguments.object.empty() ? "" : " called `" + arguments.object + "`") << '\n';
-        return inputHasErrors;
-    }
+/// What is told of a scene whose isosurfaces are studied.
+struct SceneStudy {
+    const GradientArguments& arguments;
+    ProofTime& time;
+    GradientReport& report;
+    const ParseResult& parsed;
+    GradientRepairs repairs{parsed};
     bool holes = false, broken = false;
-    GradientRepairs repairs(parsed);
-    for (std::size_t number = 0; number < found.size(); ++number) {
-        const Subject& subject = found[number];
-        const IsosurfaceSettings& settings = subject.surface->settings();
-        StudiedGradient studied =
-            study(subject.surface->tape(), *parsed.scene->parameterTable, settings.container, arguments,
-                  subject.place.empty() ? arguments.scene.file : subject.place);
+
+    /// Isosurface `number`, in time.
+    void look(std::size_t number, const Subject& subject) {
+        StudiedGradient studied = study(subject.surface->tape(), *parsed.scene->parameterTable,
+                                        subject.surface->settings().container, arguments, time,
+                                        subject.place.empty() ? arguments.scene.file : subject.place);
         if (arguments.object.empty()) studied.sampled = subject.alongRays;
         const GradientVerdict verdict =
             judgeGradient(subject.surface->rootSettings().maxGradient, studied.bracket, subject.alongRays);
         holes = holes || verdict == GradientVerdict::holes;
-        studied.setting = subject.surface->rootSettings().maxGradient;
-        studied.place = subject.place;
+        studied.verdict = name(verdict);
+        add(subject, studied);
         if (arguments.object.empty() && isChosen(arguments, subject.place))
             addRepair(repairs, number, verdict, studied.bracket);
-        studied.verdict = name(verdict);
-        report.add(studied);
         if (arguments.object.empty() && !noteHolds(parsed, number, studied)) broken = true;
         if (arguments.check && verdict == GradientVerdict::holes && !studied.place.empty())
             printTooSmall(studied);
@@ -247,21 +290,60 @@ ExitStatus studyScene(const GradientArguments& arguments, GradientReport& report
         if (const std::string beside = besideText(studied.bracket); !beside.empty())
             std::cerr << arguments.scene.file << ": note: " << beside << '\n';
     }
-    if (!arguments.changedScene.empty() && !writeOutput(arguments.changedScene, repairs.text(0)))
+
+    /// Those for which there was no time.
+    void leaveOut(std::span<const Subject> subjects) {
+        time.tell(subjects.front().place.empty() ? arguments.scene.file : subjects.front().place,
+                  arguments.check ? "error" : "note", notStudiedText("isosurface", subjects.size() - 1));
+        for (const Subject& subject : subjects) {
+            StudiedGradient none = unstudied();
+            none.sampled = subject.alongRays;
+            add(subject, none);
+        }
+    }
+
+  private:
+    void add(const Subject& subject, StudiedGradient& studied) {
+        studied.setting = subject.surface->rootSettings().maxGradient;
+        studied.place = subject.place;
+        report.add(studied);
+    }
+};
+
+ExitStatus studyScene(const GradientArguments& arguments, ProofTime& time, GradientReport& report) {
+    if (!arguments.outputs.mayWrite(arguments.changedScene, OutputKind::scene, arguments.scene.file))
         return inputHasErrors;
-    if (arguments.repair && !writeBack(repairs, parsed, arguments.scene.file)) return inputHasErrors;
+    const ParseResult parsed = loadScene(arguments.scene);
+    printDiagnostics(parsed.diagnostics, *parsed.sources, true);
+    const std::vector<Subject> found = subjects(parsed, arguments.scene.file, arguments.object,
+                                                time.secondsForPicture(1 + arguments.moreScenes.size()));
+    if (found.empty()) {
+        std::cerr << arguments.scene.file << ": error: there is no isosurface"
+                  << (arguments.object.empty() ? "" : " called `" + arguments.object + "`") << '\n';
+        return inputHasErrors;
+    }
+    SceneStudy work{arguments, time, report, parsed};
+    std::size_t number = 0;
+    for (; number < found.size() && !time.over(); ++number) work.look(number, found[number]);
+    const bool all = number == found.size();
+    if (!all) work.leaveOut(std::span(found).subspan(number));
+    if (!arguments.changedScene.empty() && !writeOutput(arguments.changedScene, work.repairs.text(0)))
+        return inputHasErrors;
+    if (arguments.repair && !writeBack(work.repairs, parsed, arguments.scene.file)) return inputHasErrors;
     if (!parsed.ok()) return inputHasErrors;
-    return arguments.check && (holes || broken) ? inputHasErrors : done;
+    // What was not looked at has not passed.
+    return arguments.check && (work.holes || work.broken || !all) ? inputHasErrors : done;
 }
 
 /// One after the other; what one lacks does not keep the others from being studied.
 ExitStatus studyScenes(const GradientArguments& arguments) {
     const auto report = reportFor(arguments);
-    ExitStatus status = studyScene(arguments, *report);
+    ProofTime time(arguments);
+    ExitStatus status = studyScene(arguments, time, *report);
     for (const std::string& file : arguments.moreScenes) {
         GradientArguments one = arguments;
         one.scene.file = file;
-        if (studyScene(one, *report) != done) status = inputHasErrors;
+        if (studyScene(one, time, *report) != done) status = inputHasErrors;
     }
     report->finish();
     return status;
@@ -289,9 +371,9 @@ void addGradientCommand(CommandLine& line) {
         .showDefault();
     command
         .option("--proof-limit", arguments->proofLimit,
-                "Seconds to work on each isosurface or row; what is proven then is told")
-        .positive()
-        .showDefault();
+                "Seconds to work in all (default: 20 for each scene, 600 for a table); what is proven "
+                "then is told, and what was not studied")
+        .positive();
     command.flag("--json", arguments->json, "One JSON array instead of CSV, with states and singularities");
     command.flag("--check", arguments->check,
                  "Exit with status 1 when a max_gradient is too low; further columns: place, max_gradient");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string_view>
 
 #include "app/cli/command_line.h"
@@ -66,6 +67,8 @@ int main(int argc, char** argv) {
     ExitStatus status = inputHasErrors;
     try {
         status = line.run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        std::cerr << "error: there is not enough memory\n";
     } catch (const std::exception& error) {
         std::cerr << "error: " << error.what() << '\n';
     }

@@ -25,6 +25,7 @@ struct MeshArguments {
     int line = 0;
     bool plain = false;
     bool json = false;
+    double megabytes = static_cast<double>(SceneMeshSettings().memory) / 1e6;
     SceneMeshSettings settings;
     WorkLimit work{std::numeric_limits<double>::infinity()};
     OutputFiles outputs;
@@ -114,6 +115,8 @@ ExitStatus mesh(const MeshArguments& arguments) {
     if (surfaces.empty()) return inputHasErrors;
     SceneMeshSettings settings = arguments.settings;
     settings.colors = !arguments.plain;
+    settings.bytesOfTriangle = bytesOfTriangle(*format);
+    settings.memory = static_cast<std::size_t>(1e6 * arguments.megabytes);
     const TimeLimit limit(arguments.work.seconds);
     SceneMesh made;
     {
@@ -129,7 +132,7 @@ ExitStatus mesh(const MeshArguments& arguments) {
         std::cerr << arguments.scene.file << ": error: " << made.problem << '\n';
         return inputHasErrors;
     }
-    const MeshFile file = meshFile(made.mesh, *format, axesOf(arguments.axes, *format));
+    const MeshFile file = meshFile(std::move(made.mesh), *format, axesOf(arguments.axes, *format));
     if (!file.problem.empty()) {
         std::cerr << arguments.output << ": error: " << file.problem << '\n';
         return inputHasErrors;
@@ -137,8 +140,8 @@ ExitStatus mesh(const MeshArguments& arguments) {
     if (!writeOutput(arguments.output, file.content)) return inputHasErrors;
     print(arguments, parsed, surfaces, made);
     if (made.report.limited && !made.report.keepsTolerance())
-        std::cerr << arguments.scene.file << ": note: --cells ended the search before the tolerance was "
-                  << "kept; a larger --tolerance, or more cells, help\n";
+        std::cerr << arguments.scene.file << ": note: --cells or --memory ended the search before the "
+                  << "tolerance was kept; a larger --tolerance, or more of both, help\n";
     return done;
 }
 
@@ -155,6 +158,11 @@ void addMeshCommand(CommandLine& line) {
                 "How far mesh and surface may be apart; else a 500th of the container's longest side")
         .positive();
     command.option("--cells", arguments->settings.cellLimit, "Boxes to look at before giving up")
+        .showDefault();
+    command
+        .option("--memory", arguments->megabytes,
+                "Megabytes that the meshes may take in all, about; boxes are not split beyond")
+        .within(1.0, 1e6)
         .showDefault();
     command.option("--line", arguments->line, "Only isosurfaces whose statement begins on this line");
     command.option("--axes", arguments->axes, "povray, y-up or z-up; else as programs expect of the format")

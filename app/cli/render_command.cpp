@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -125,7 +126,7 @@ bool writeHoleMap(const RenderArguments& arguments, const RenderRequest& request
 std::optional<CostMap> writeCostMap(const RenderArguments& arguments, const RenderRequest& request) {
     const std::string& file = arguments.costMap;
     const TimeLimit limit(arguments.pictureLimit);
-    const CostMap map = costMap(request, arguments.threads, limit.token());
+    CostMap map = costMap(request, arguments.threads, limit.token());  // moved out, not copied
     if (!map.complete && limit.over()) return printCutOff(file, arguments.pictureLimit), std::nullopt;
     const std::uint64_t all = map.evaluations();
     std::cerr << "cost: " << all << " evaluations, at most " << map.dearest << " in a pixel\n";
@@ -173,6 +174,10 @@ std::optional<PictureFileResult> drawPicture(const RenderArguments& arguments, c
         std::cerr << arguments.output << ": error: the file cannot be written: " << result.problem << '\n';
         return {};
     }
+    if (result.stopped && !result.kept) {
+        printCutOff(arguments.output, arguments.pictureLimit);
+        return {};
+    }
     if (result.stopped)
         std::cerr << arguments.scene.file << ": error: drawing was cut off after "
                   << shortestNumber(arguments.pictureLimit)
@@ -192,10 +197,19 @@ bool mayWrite(const RenderArguments& arguments) {
            outputs.mayWrite(arguments.statistics, OutputKind::statistics, scene);
 }
 
+/// They are held in memory whole, some 50 bytes a pixel.
+void checkMapSize(const RenderArguments& arguments) {
+    constexpr std::int64_t mostPixels = std::int64_t{1} << 24;
+    const bool maps = !arguments.holeMap.empty() || !arguments.costMap.empty();
+    if (maps && std::int64_t{arguments.width} * arguments.height > mostPixels)
+        throw UsageError("--hole-map and --cost-map are for pictures of at most 16777216 pixels");
+}
+
 ExitStatus render(const RenderArguments& arguments) {
     if (arguments.depth != 8 && arguments.depth != 16) throw UsageError("--depth is 8 or 16");
     if (arguments.depth != 8 && formatOf(arguments) != PictureFormat::png)
         throw UsageError("--depth is for PNG pictures; OpenEXR has its own");
+    checkMapSize(arguments);
     if (!mayWrite(arguments)) return inputHasErrors;
     const ParseResult parsed = loadScene(arguments.scene, arguments.width, arguments.height);
     Diagnostics said = parsed.diagnostics;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/time_limit.h"
 
+#include <algorithm>
 #include <iostream>
+#include <limits>
 
 #include "app/cli/command_line.h"
 #include "core/text/number_format.h"
@@ -29,6 +31,13 @@ void TimeLimit::restart() {
     if (!source_.stop_requested()) return;  // the timer finds the new end at the old one
     source_ = std::stop_source();
     wake_.notify_one();
+}
+
+double TimeLimit::secondsLeft() {
+    if (!timer_.joinable()) return std::numeric_limits<double>::infinity();
+    const std::lock_guard lock(mutex_);
+    if (source_.stop_requested()) return 0;
+    return std::max(0.0, std::chrono::duration<double>(end_ - Clock::now()).count());
 }
 
 void TimeLimit::wait(std::stop_token end) {

@@ -25,6 +25,8 @@ class TimeLimit {
     /// For the work.
     std::stop_token token() const { return source_.get_token(); }
     bool over() const { return source_.stop_requested(); }
+    /// Until the stop: 0 once it has come, infinite where none will.
+    double secondsLeft();
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -20,6 +20,10 @@ class PictureSink {
   public:
     virtual ~PictureSink() = default;
     virtual bool add(const Image& strip, int firstRow) = 0;
+    /// Whether it can end with so many black rows soon.
+    virtual bool takesRest(int rows) const = 0;
+    /// These; 0 are none.
+    virtual bool addRest(int rows, int firstRow) = 0;
     /// Why, where that is not the file's problem.
     virtual std::string problem() const { return {}; }
 };
@@ -32,6 +36,8 @@ class PngSink : public PictureSink {
               [&file](std::string_view bytes) { return file.append(bytes); }, options.threads) {}
 
     bool add(const Image& strip, int) override { return stream_.add(strip); }
+    bool takesRest(int) const override { return true; }
+    bool addRest(int rows, int) override { return rows == 0 || stream_.addBlack(rows); }
 
   private:
     PngStream stream_;
@@ -48,6 +54,18 @@ class LayeredSink : public PictureSink {
 
     bool add(const Image& strip, int firstRow) override {
         return stream_.add(strip, surfaceLayers(request_, firstRow, strip.height, threads_, stop_));
+    }
+    bool takesRest(int rows) const override {
+        return std::int64_t{rows} * request_.width <= PictureFileOptions::largestExrRest;
+    }
+    bool addRest(int rows, int firstRow) override {
+        constexpr int stripRows = 64;
+        for (; rows > 0; rows -= stripRows, firstRow += stripRows) {
+            Image black(request_.width, std::min(rows, stripRows));
+            if (request_.transparent) black.opacity.assign(black.pixels.size(), 0);
+            if (!add(black, firstRow)) return false;
+        }
+        return true;
     }
     std::string problem() const override { return stream_.problem(); }
 
@@ -79,10 +97,15 @@ PictureFileResult write(const std::filesystem::path& path, const RenderRequest& 
     while (added && renderer.nextRow() < request.height) {
         const int row = renderer.nextRow();
         const Image strip = renderer.next(stop, report);
+        const int rest = request.height - renderer.nextRow();
         result.stopped = stop.stop_requested();
-        if (result.stopped && !options.keepStopped) return result;
+        if (result.stopped && !(options.keepStopped && sink->takesRest(rest))) return result;
         if (strip.pixels.empty()) throw std::bad_alloc();
         added = sink->add(strip, row);
+        if (!result.stopped) continue;
+        result.kept = true;
+        added = added && sink->addRest(rest, renderer.nextRow());
+        break;
     }
     result.statistics = renderer.statistics();
     std::string inside = sink->problem();

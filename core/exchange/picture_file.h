@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -21,15 +22,19 @@ std::optional<PictureFormat> pictureFormat(const std::filesystem::path& file);
 /// How a picture is drawn into a file.
 struct PictureFileOptions {
     PictureFormat format = PictureFormat::png;
-    int bits = 8;              ///< of a channel of a PNG: 8 or 16
-    int threads = 0;           ///< 0 means all
-    bool keepStopped = false;  ///< a picture that was stopped is written, with the rest black
+    int bits = 8;     ///< of a channel of a PNG: 8 or 16
+    int threads = 0;  ///< 0 means all
+    /// A picture that was stopped is written, with the rest black; but for OpenEXR where the rest has more
+    /// than largestExrRest pixels, which would take long.
+    bool keepStopped = false;
+    static constexpr std::int64_t largestExrRest = std::int64_t{1} << 23;
 };
 
 /// What became of it.
 struct PictureFileResult {
     std::string problem;   ///< why there is no file; empty when there is one
-    bool stopped = false;  ///< then there is none, unless PictureFileOptions::keepStopped
+    bool stopped = false;  ///< then there is none, unless it is kept
+    bool kept = false;     ///< it was stopped, and is written all the same, with the rest black
     RenderStatistics statistics;
 };
 

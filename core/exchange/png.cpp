@@ -64,10 +64,6 @@ class RowWriter {
   public:
     RowWriter(const PngForm& form, const Image& image) : form_(form), image_(image) {}
 
-    std::size_t bytesPerPixel() const {
-        return static_cast<std::size_t>(form_.bits / 8) * (form_.opacity ? 4 : 3);
-    }
-
     void fill(int row, std::span<std::uint8_t> into) const {
         const auto width = static_cast<std::size_t>(image_.width),
                    first = width * static_cast<std::size_t>(row);
@@ -131,19 +127,37 @@ PngStream::PngStream(const PngForm& form, std::function<bool(std::string_view)> 
 
 bool PngStream::put(const char* chunk, std::string_view data) { return sink_(chunkOf(chunk, data)); }
 
+std::size_t PngStream::pixelBytes() const {
+    return static_cast<std::size_t>(form_.bits / 8) * (form_.opacity ? 4 : 3);
+}
+
+/// Counts the next rows; false where there are too many.
+bool PngStream::take(int rows) {
+    failed_ = failed_ || rows <= 0 || rows > form_.height - rows_;
+    if (!failed_) rows_ += rows;
+    return !failed_;
+}
+
 bool PngStream::add(const Image& rows) {
-    failed_ = failed_ || rows.width != form_.width || rows.height <= 0 || rows.height > form_.height - rows_;
-    if (failed_) return false;
-    rows_ += rows.height;
+    failed_ = failed_ || rows.width != form_.width;
+    if (!take(rows.height)) return false;
     const bool last = rows_ == form_.height;
     const RowWriter writer(form_, rows);
-    const std::size_t pixelBytes = writer.bytesPerPixel();
     const std::vector<std::string> pieces =
-        deflater_.add({rows.height, pixelBytes * static_cast<std::size_t>(rows.width), pixelBytes,
+        deflater_.add({rows.height, pixelBytes() * static_cast<std::size_t>(rows.width), pixelBytes(),
                        [&](int row, std::span<std::uint8_t> into) { writer.fill(row, into); }},
                       last, threads_);
     failed_ = pieces.empty();
     for (const std::string& piece : pieces) failed_ = failed_ || !put("IDAT", piece);
+    if (last) failed_ = failed_ || !put("IEND", {});
+    return !failed_;
+}
+
+bool PngStream::addBlack(int rows) {
+    if (!take(rows)) return false;
+    const bool last = rows_ == form_.height;
+    failed_ = !deflater_.addZeros(rows, pixelBytes() * static_cast<std::size_t>(form_.width), last,
+                                  [this](std::string_view piece) { return put("IDAT", piece); });
     if (last) failed_ = failed_ || !put("IEND", {});
     return !failed_;
 }

@@ -29,8 +29,13 @@ class PngStream {
     /// The next rows, of the form's width; the file is whole when there are as many as its height. Without
     /// Image::opacity they hide everything. False after a failure.
     bool add(const Image& rows);
+    /// The same for rows without light, which hide nothing where the form has opacity; soon, however many
+    /// they are.
+    bool addBlack(int rows);
 
   private:
+    bool take(int rows);
+    std::size_t pixelBytes() const;
     bool put(const char* chunk, std::string_view data);
 
     PngForm form_;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace isoscope {
@@ -27,8 +28,15 @@ class PngDeflater {
     /// The pieces of the next rows of the picture. `threads` as for WorkerPool; the bytes are the same for
     /// any number of them. Empty when zlib fails.
     std::vector<std::string> add(const PngRows& rows, bool last, int threads);
+    /// The same for `count` rows of zeros, `bytes` each, handed to `put` one by one: soon, however many they
+    /// are, for few bands are compressed for all. False when zlib fails, or put() returns false.
+    bool addZeros(int count, std::size_t bytes, bool last, const std::function<bool(std::string_view)>& put);
 
   private:
+    struct Band;
+
+    std::string finish(Band band, bool last);
+
     bool begun_ = false;
     std::uint32_t checksum_ = 1;  ///< Adler-32 of the filtered rows so far
 };

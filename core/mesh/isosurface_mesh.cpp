@@ -21,6 +21,8 @@ namespace {
 constexpr double insetShare = 0.25;
 /// Crossings are found to this part of the tolerance.
 constexpr double crossingShare = 1e-3;
+/// Cells are split until so much of the memory is taken: what is foreseen of the next ones may be too little.
+constexpr double refinementShare = 0.85;
 /// The usual tolerance, by the longest side.
 constexpr double usualShare = 0.002;
 /// A mesh is not asked to be closer than this part of the longest side: doubles and the lattice end.
@@ -71,7 +73,7 @@ class IsosurfaceMesher {
         std::size_t before = 0;
         for (int round = 0;; ++round) {
             findForm(before);
-            if (stop_.stop_requested()) break;
+            if (stop_.stop_requested() || tooLarge()) break;
             made = makeTriangles(surface_, field_, tree_, samples_, tolerance_, samplers_, workers_, stop_);
             distance = measureDistance(made, tolerance_, samplers_, workers_, stop_);
             if (progress) progress(1 - 0.3 * std::pow(0.6, round + 1));
@@ -82,6 +84,9 @@ class IsosurfaceMesher {
             refinement_.split(std::move(coarse), {}, stop_);
         }
         if (stop_.stop_requested()) return {{}, {}, "stopped"};
+        if (tooLarge()) return {{}, {}, tooLargeText(memory_), true};
+        if (refinement_.shortage() == CellRefinement::Shortage::cells)
+            return {{}, {}, "there are too few boxes for even a coarse mesh"};
         return finish(std::move(made), distance);
     }
 
@@ -94,6 +99,9 @@ class IsosurfaceMesher {
         RefinementLimits limits;
         limits.tolerance = tolerance_;
         limits.cellLimit = settings.cellLimit;
+        memory_ = settings.memory;
+        limits.bytesOfTriangle = settings.bytesOfTriangle;
+        limits.memory = static_cast<std::size_t>(refinementShare * static_cast<double>(memory_));
         const double levels = std::floor(std::log2(longest(tree_.sizeAt(0)) / tolerance_));
         limits.finest = static_cast<int>(std::clamp(levels, 3.0, double(CellOctree::deepest - 2)));
         limits.coarsest = std::min(limits.coarsest, limits.finest);
@@ -104,11 +112,15 @@ class IsosurfaceMesher {
         return limits;
     }
 
+    bool tooLarge() const {
+        return refinement_.memory() > memory_ || refinement_.shortage() == CellRefinement::Shortage::memory;
+    }
+
     /// Finds the polygons around the cells that came after the first `before`, all where there are none, and
     /// splits leaves until what bulges into one from a finer neighbour hangs together with the rest in it, or
     /// both are as fine. Around those that are split the same is done first.
     void findForm(std::size_t before) {
-        for (std::size_t from = before; !stop_.stop_requested();) {
+        for (std::size_t from = before; !stop_.stop_requested() && !tooLarge();) {
             around_ = from == 0 ? std::vector<std::uint32_t>() : leavesAround(tree_, from);
             surface_ = findPolygons(tree_, samples_, samplers_, around_);
             std::vector<std::uint32_t> parted;
@@ -117,6 +129,7 @@ class IsosurfaceMesher {
             from = parted.empty() ? before : tree_.size();
             refinement_.split(std::move(parted), {}, stop_);
         }
+        if (tooLarge()) return;
         std::vector<MinimalEdge> edges;
         for (const SurfacePolygons::Polygon& polygon : surface_.polygons) edges.push_back(polygon.edge);
         samples_.needCrossings(edges, samplers_, workers_, stop_);
@@ -245,6 +258,7 @@ class IsosurfaceMesher {
     CellOctree tree_;
     CellSamples samples_;
     int finest_ = 0;
+    std::size_t memory_ = 0;  ///< that may be taken
     CellRefinement refinement_;
     SurfacePolygons surface_;
     std::vector<std::uint32_t> around_;  ///< the leaves that it was found around; all, where there are none
@@ -264,6 +278,11 @@ void MeshReport::add(const MeshReport& other) {
     cells += other.cells;
     doubtfulCells += other.doubtfulCells;
     widestDoubtful = std::max(widestDoubtful, other.widestDoubtful);
+}
+
+std::string tooLargeText(std::size_t memory) {
+    return "the mesh would take more than " + std::to_string(memory / 1'000'000) +
+           " MB of memory; a larger tolerance makes it smaller";
 }
 
 IsosurfaceMesh meshIsosurface(const Isosurface& surface, std::span<const double> parameters,

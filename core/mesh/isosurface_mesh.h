@@ -17,10 +17,18 @@ struct MeshSettings {
     /// How far the mesh and the surface may be from each other, in the coordinates of the surface. What is
     /// not positive and finite stands for a part of the container's longest side (usualTolerance()).
     double tolerance = 0;
-    /// Boxes of space that may be looked at, about 150 bytes each with what belongs to them.
+    /// Boxes of space that may be looked at.
     std::size_t cellLimit = 12'000'000;
+    /// Bytes that the boxes may take with what belongs to them and with the mesh, about. Like the other limit
+    /// it keeps boxes from being split; where the mesh would still take more there is none.
+    std::size_t memory = 800'000'000;
+    /// Of `memory`, for each triangle: what the caller makes of the mesh, a file say.
+    std::size_t bytesOfTriangle = 0;
     int threads = 0;  ///< 0 means all; the mesh is the same, bit by bit
 };
+
+/// Why there is no mesh where it would exceed MeshSettings::memory: a sentence.
+std::string tooLargeText(std::size_t memory);
 
 /// The tolerance for a container that is asked for no other: a five hundredth of its longest side.
 double usualTolerance(const Container& container);
@@ -34,7 +42,7 @@ struct MeshReport {
     std::size_t samples = 0;
     std::size_t wallTriangles = 0;  ///< on the container's wall
     bool open = false;              ///< the wall is left out, so that the mesh may have borders
-    bool limited = false;           ///< the limit of cells kept it from being finer
+    bool limited = false;           ///< the limit of cells or of memory kept it from being finer
     std::size_t cells = 0;          ///< boxes that were looked at
     /// Boxes that hold no triangle, and which no proof shows to be empty; all others without triangles are
     /// proven to hold none of the surface.
@@ -51,7 +59,8 @@ struct MeshReport {
 struct IsosurfaceMesh {
     TriangleMesh mesh;
     MeshReport report;
-    std::string problem;  ///< a sentence; empty where there is a mesh, perhaps one without triangles
+    std::string problem;    ///< a sentence; empty where there is a mesh, perhaps one without triangles
+    bool tooLarge = false;  ///< the problem is MeshSettings::memory
 };
 
 /// Meshes an isosurface in its own coordinates by dual contouring on an octree of its container: proofs by

@@ -65,7 +65,7 @@ std::string meshText(const MeshReport& report) {
                 std::to_string(report.doubtfulCells) + ", the largest " + rounded(report.widestDoubtful) +
                 " wide; all others are proven.\n";
     if (report.limited && !report.keepsTolerance())
-        text += "The limit of boxes was reached before the tolerance was kept.\n";
+        text += "The limit of boxes or of memory was reached before the tolerance was kept.\n";
     return text;
 }
 

@@ -17,8 +17,8 @@ namespace isoscope {
 
 namespace {
 
-/// More than any format or viewer takes, and some ten gigabytes.
-constexpr std::size_t mostTriangles = 100'000'000;
+/// Of a triangle with its share of points, normals and colours, and of a copy while it is put behind others.
+constexpr std::size_t bytesOfPlaced = 100;
 
 class Placing {
   public:
@@ -88,12 +88,19 @@ class SceneMesher {
         MeshSettings own;
         own.tolerance = settings_.tolerance / stretch;
         own.cellLimit = settings_.cellLimit;
+        own.bytesOfTriangle = settings_.bytesOfTriangle;
+        const std::size_t each = bytesOfPlaced + settings_.bytesOfTriangle;
+        const std::size_t taken = each * result_.mesh.triangles.size();
+        own.memory = settings_.memory - std::min(taken, settings_.memory);
         own.threads = settings_.threads;
         const std::pair<const Isosurface*, double> key{surface.shape.get(), own.tolerance};
         if (last_.first != key) {
             last_.first = key;
             last_.second = meshIsosurface(*surface.shape, *scene_.parameterTable, own, progress, stop_);
         }
+        if (taken + each * last_.second.mesh.triangles.size() > settings_.memory)
+            last_.second.tooLarge = true;
+        if (last_.second.tooLarge) return fail(tooLargeText(settings_.memory));
         if (!last_.second.problem.empty()) return fail(last_.second.problem);
         IsosurfaceMesh made = last_.second;
         scaleLengths(made.report, stretch);
@@ -102,8 +109,6 @@ class SceneMesher {
             made.mesh.colors = meshColors(scene_, surface.material, made.mesh.points,
                                           made.mesh.pointNormals(), settings_.threads, stop_);
         if (stop_.stop_requested()) return fail("stopped");
-        if (result_.mesh.triangles.size() + made.mesh.triangles.size() > mostTriangles)
-            return fail("the meshes have more than 100 million triangles together");
         result_.parts.push_back(made.report);
         result_.report.add(made.report);
         if (!made.mesh.triangles.empty()) result_.mesh.append(made.mesh);
@@ -147,8 +152,8 @@ std::vector<PlacedIsosurface> placedIsosurfaces(const Scene& scene) {
 SceneMesh meshScene(const Scene& scene, const std::vector<PlacedIsosurface>& surfaces,
                     const SceneMeshSettings& settings, const std::function<void(double)>& progress,
                     const std::stop_token& stop) {
-    SceneMesher mesher(scene, settings, stop);
     try {
+        SceneMesher mesher(scene, settings, stop);
         if (surfaces.empty()) mesher.fail("the scene has no isosurface");
         for (std::size_t i = 0; i < surfaces.size(); ++i) {
             const auto share = [&](double done) {

@@ -33,6 +33,8 @@ struct SceneMeshSettings {
     /// In world coordinates; not positive: the usual one of each isosurface.
     double tolerance = 0;
     std::size_t cellLimit = MeshSettings().cellLimit;  ///< for each isosurface
+    std::size_t memory = MeshSettings().memory;        ///< for all together
+    std::size_t bytesOfTriangle = 0;                   ///< MeshSettings::bytesOfTriangle
     bool colors = true;
     int threads = 0;
 };

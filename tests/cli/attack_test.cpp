@@ -324,6 +324,48 @@ class AttackTest : public QObject {
         QVERIFY2(peakOfChildren() < 1000, QByteArray::number(qlonglong(peakOfChildren())) + " MB");
     }
 
+    /// A function with 300 periods across the container has a surface in each box: the mesh of as many boxes
+    /// as were looked at took 4.7 GB.
+    void meshesKeepTheirMemory_data() {
+        QTest::addColumn<QByteArray>("function");
+        QTest::addColumn<QString>("file");
+        const QByteArray sum = "sin(942*x)+sin(942*y)+sin(942*z)",
+                         drops = "0.3-sin(942*x)*sin(942*y)*sin(942*z)",
+                         waves = "y-0.01*sin(942*x)*sin(942*z)";
+        QTest::newRow("a labyrinth") << sum << "a.stl";
+        QTest::newRow("drops") << drops << "a.glb";
+        QTest::newRow("drops for a printer") << drops << "a.3mf";
+        QTest::newRow("waves") << waves << "a.inc";
+    }
+
+    void meshesKeepTheirMemory() {
+        QFETCH(QByteArray, function);
+        QFETCH(QString, file);
+        const ProgramResult result =
+            runCli({"mesh",
+                    this->file("isosurface { function { " + function +
+                               " } contained_by { box { -1, 1 } } max_gradient 2000 pigment { bozo } }\n"),
+                    "-o", folder_.filePath(file)},
+                   120);
+        QVERIFY2(result.status == 0, result.errors.left(300));
+        QVERIFY2(result.errors.contains("--cells or --memory ended the search"), result.errors.left(300));
+        QVERIFY2(peakOfChildren() < 1000, QByteArray::number(qlonglong(peakOfChildren())) + " MB");
+    }
+
+    /// Nor do many meshes together take more.
+    void manyMeshesKeepTheirMemory() {
+        const QByteArray one =
+            "isosurface { function { sin(60*x)*sin(60*y)*sin(60*z)-N/100 } contained_by { box { -1, 1 } } "
+            "}\n";
+        const ProgramResult result = runCli({"mesh", file("#for (N, 1, 80) " + one + "#end\n"), "-o",
+                                             folder_.filePath("many.stl"), "--memory", "100"},
+                                            120);
+        QCOMPARE(result.status, 1);
+        QVERIFY2(result.errors.contains("the mesh would take more than 100 MB of memory"),
+                 result.errors.left(300));
+        QVERIFY2(peakOfChildren() < 1000, QByteArray::number(qlonglong(peakOfChildren())) + " MB");
+    }
+
     void drawingEnds_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("solver");
@@ -355,6 +397,55 @@ class AttackTest : public QObject {
         QVERIFY2(result.status == 1, QByteArray::number(result.status) + ' ' + result.errors.left(300));
         QVERIFY2(result.errors.contains("drawing was cut off after 2 seconds"), result.errors.left(300));
         QVERIFY(QFile::exists(folder_.filePath("out.png")));
+    }
+
+    /// What was left of the largest picture was cleared, encoded and written strip by strip for minutes when
+    /// its time was over.
+    void hugePicturesEnd_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("told");
+        QTest::addColumn<bool>("written");
+        const QByteArray cut = "drawing was cut off after 1 seconds, ";
+        QTest::newRow("PNG") << QStringList{"-o", "huge.png"} << cut + "the rest of the picture is black"
+                             << true;
+        QTest::newRow("deep PNG") << QStringList{"-o", "deep.png", "--depth", "16", "--transparent"}
+                                  << cut + "the rest of the picture is black" << true;
+        QTest::newRow("OpenEXR") << QStringList{"-o", "huge.exr"} << cut + "there is no picture" << false;
+        for (const char* map : {"--hole-map", "--cost-map"})
+            QTest::newRow(map) << QStringList{"-o", "other.png", map, "map.png"}
+                               << QByteArray("at most 16777216 pixels") << false;
+    }
+
+    void hugePicturesEnd() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, told);
+        QFETCH(bool, written);
+        file(
+            "camera { location -4*z look_at 0 } light_source { <-3,5,-6> 1 }\n"
+            "isosurface { function { x*x+y*y+z*z-1 } max_gradient 4 pigment { rgb 1 } }\n");
+        QElapsedTimer clock;
+        clock.start();
+        const ProgramResult result = runProgram(
+            ISOSCOPE_BINARY_DIR "/isoscope-cli",
+            QStringList{"render", "attack.pov", "-W", "131072", "-H", "131072", "--picture-limit", "1"} +
+                arguments,
+            60, folder_.path());
+        QVERIFY2(result.status > 0 && result.errors.contains(told), result.errors.left(300));
+        QCOMPARE(QFile::exists(folder_.filePath(arguments[1])), written);
+        QVERIFY2(clock.elapsed() < 20000, QByteArray::number(clock.elapsed()));
+        QVERIFY2(peakOfChildren() < 1000, QByteArray::number(qlonglong(peakOfChildren())) + " MB");
+    }
+
+    /// The largest picture that has maps.
+    void mapsKeepTheirMemory() {
+        for (const QString map : {"--hole-map", "--cost-map"}) {
+            const ProgramResult result =
+                runCli({"render", file("sphere { 0, 1 }\n"), "-o", folder_.filePath("a.png"), map,
+                        folder_.filePath("map.png"), "-W", "4096", "-H", "4096"},
+                       120);
+            QVERIFY2(result.status == 0, result.errors.left(300));
+        }
+        QVERIFY2(peakOfChildren() < 1000, QByteArray::number(qlonglong(peakOfChildren())) + " MB");
     }
 };
 

@@ -16,6 +16,12 @@ class FileTroublesTest : public QObject {
     QTemporaryDir folder_;
     QString scene_;
 
+    static QByteArray sceneText() {
+        return "#version 3.7;\n#declare Level = 1;\n"
+               "camera { location -4*z look_at 0 } light_source { -9, 1 }\n"
+               "isosurface { function { pow(x,2)+y*y+z*z-Level } contained_by { box { -1.5, 1.5 } }\n"
+               "  max_gradient 4 pigment { granite } }\n";
+    }
     static QByteArray contentOf(const QString& path) {
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(no file)");
@@ -39,12 +45,7 @@ class FileTroublesTest : public QObject {
     }
 
   private slots:
-    void initTestCase() {
-        scene_ = writeFile(folder_.path(), "scene.pov",
-                           "#version 3.7;\ncamera { location -4*z look_at 0 } light_source { -9, 1 }\n"
-                           "isosurface { function { x*x+y*y+z*z-1 } contained_by { box { -1.5, 1.5 } }\n"
-                           "  max_gradient 4 pigment { granite } }\n");
-    }
+    void initTestCase() { scene_ = writeFile(folder_.path(), "scene.pov", sceneText()); }
     void init() { disk_ = std::make_unique<SmallDisk>(); }
     void cleanup() { disk_.reset(); }
 
@@ -104,6 +105,16 @@ class FileTroublesTest : public QObject {
                                                "--last", "1",    "-o",      folder_.filePath("frame"),
                                                "-W",     "8",    "-H",      "6"};
         QTest::newRow("container") << QStringList{"container", scene_};
+        for (const char* command : {"accuracy", "evaluate-advice", "predict"})
+            QTest::newRow(command) << QStringList{command, scene_, "-W", "16", "-H", "12"};
+        for (const char* command : {"derivative", "health", "ranges", "report", "rewrites", "thresholds"})
+            QTest::newRow(command) << QStringList{command, scene_};
+        QTest::newRow("difference") << QStringList{"difference", scene_, "--with", scene_};
+        QTest::newRow("mesh") << QStringList{"mesh", scene_, "-o", folder_.filePath("lost.stl")};
+        QTest::newRow("sweep") << QStringList{"sweep", scene_, "--parameter", "Level",   "--from",
+                                              "1",     "--to", "2",           "--steps", "2",
+                                              "-W",    "16",   "-H",          "12"};
+        QTest::newRow("help") << QStringList{"render", "--help"};
     }
 
     void aLostStandardOutputIsAFailure() {
@@ -116,6 +127,63 @@ class FileTroublesTest : public QObject {
         QVERIFY2(process.exitStatus() == QProcess::NormalExit, errors);
         QVERIFY2(errors.contains("standard output cannot be written"), errors);
         QCOMPARE(process.exitCode(), 1);
+    }
+
+    /// Every file that a command writes, where none can be: OUT is a device that is full, a file below a
+    /// file, a file in no folder, a folder.
+    void anOutputThatCannotBeWrittenIsSaid_data() {
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<QStringList>("command");
+        const QString table = writeFile(folder_.path(), "lines.csv",
+                                        "case_id,function,threshold,container,ox,oy,oz,dx,dy,dz\n"
+                                        "a,x*x+y*y+z*z-1,0,\"box{<-2,-2,-2>,<2,2,2>}\",-5,0,0,1,0,0\n");
+        const QString picture = folder_.filePath("beside.png");
+        const auto small = [](const QStringList& command) {
+            return command + QStringList{"-W", "16", "-H", "12"};
+        };
+        const auto add = [](const char* name, const char* ending, const QStringList& command) {
+            QTest::newRow(name) << QString(ending) << command;
+        };
+        add("picture", "png", small({"render", scene_, "-o", "OUT"}));
+        add("layers", "exr", small({"render", scene_, "-o", "OUT"}));
+        add("hole map", "png", small({"render", scene_, "-o", picture, "--hole-map", "OUT"}));
+        add("cost map", "png", small({"render", scene_, "-o", picture, "--cost-map", "OUT"}));
+        add("statistics", "json", small({"render", scene_, "-o", picture, "--statistics", "OUT"}));
+        for (const char* ending : {"stl", "obj", "ply", "3mf", "glb", "inc"})
+            add(ending, ending, {"mesh", scene_, "-o", "OUT"});
+        add("sheet", "png",
+            small({"sheet", scene_, "-o", "OUT", "--parameter", "Level", "--from", "1", "--to", "2"}));
+        add("chart", "png", small({"accuracy", scene_, "--plot", "OUT"}));
+        add("containers", "pov", {"container", scene_, "--write", "OUT"});
+        add("gradients", "pov", {"gradient", scene_, "--boxes", "100", "--write", "OUT"});
+        add("rewrite", "pov", {"rewrites", scene_, "--apply", "1", "-o", "OUT"});
+        add("proof", "csv", {"roots", "--table", table, "--proof", "OUT"});
+        for (const char* ending : {"pov", "inc", "vl"})
+            QTest::addRow("export of %s", ending)
+                << QString(ending) << QStringList{"export", scene_, "-o", "OUT"};
+        add("animation", "pov", {"export", scene_, "--animation", "-o", "OUT"});
+    }
+
+    void anOutputThatCannotBeWrittenIsSaid() {
+        QFETCH(QString, ending);
+        QFETCH(QStringList, command);
+        const QString device = folder_.filePath("full." + ending),
+                      folder = folder_.filePath("folder." + ending);
+        QFile::remove(device);
+        QVERIFY(QFile::link("/dev/full", device) && QDir().mkpath(folder));
+        const QList<std::pair<QString, QByteArray>> outputs{
+            {device, "No space left on device"},
+            {scene_ + "/out." + ending, "Not a directory"},
+            {folder_.filePath("no/such/out." + ending), "No such file or directory"},
+            {folder, "Is a directory"}};
+        for (const auto& [output, reason] : outputs) {
+            const ProgramResult result = runCli(QStringList(command).replaceInStrings("OUT", output), 60);
+            QCOMPARE(result.status, 1);
+            const QByteArray told = output.toUtf8() + ": error: the file cannot be written: " + reason;
+            QVERIFY2(result.errors.contains(told), told + " | " + result.errors.left(500));
+        }
+        QVERIFY(QFileInfo(device).isSymLink() && QFileInfo(folder).isDir());
+        QCOMPARE(contentOf(scene_), sceneText());
     }
 
     /// A reader that goes away (`| head -1`) ends the program, quietly and with what the shell expects.

@@ -280,6 +280,51 @@ class GradientCommandTest : public QObject {
         QCOMPARE(runCli({"gradient", file, "--proof-limit", "0"}).status, 2);
     }
 
+    /// A bug once: the limit was for each of them, and a scene of 3000 isosurfaces took 40 s with any.
+    void manyIsosurfacesShareOneLimit() {
+        QTemporaryDir folder;
+        QByteArray text = "#version 3.7;\n#include \"functions.inc\"\n";
+        QByteArray table = "function,container\n";
+        constexpr int count = 3000;
+        for (int k = 0; k < count; ++k) {
+            const QByteArray body = "f_noise3d(x*" + QByteArray::number(1 + k * 1e-3) + ",y,z)-0.5+x*y";
+            text += "isosurface { function { " + body +
+                    " } contained_by { box { -1, 1 } } max_gradient 9 translate 3*z*" +
+                    QByteArray::number(k) + " }\n";
+            table += "\"" + body + "\",\"box{<-1,-1,-1>,<1,1,1>}\"\n";
+        }
+        const QString scene = writeFile(folder.path(), "many.pov", text);
+        const ProgramResult result = runCli({"gradient", scene, "--proof-limit", "0.2"}, 60);
+        QVERIFY2(result.status == 0, result.errors);
+        const isoscope::CsvTable rows = rowsOf(result);
+        QCOMPARE(rows.rowCount(), std::size_t(count));
+        std::size_t first = 0;
+        while (first < count && rows.field(first, "verdict") != "not-studied") ++first;
+        QVERIFY(first < count);
+        for (std::size_t row = first; row < count; ++row) {
+            QCOMPARE(rows.field(row, "verdict"), std::string("not-studied"));
+            QCOMPARE(rows.field(row, "upper"), std::string("inf"));
+        }
+        const QByteArray told = "the time is over (--proof-limit 0.2); this ";
+        const QByteArray where = "many.pov:" + QByteArray::number(qulonglong(first + 3));
+        QVERIFY2(result.errors.contains(where + ": note: " + told + "isosurface"), result.errors.left(300));
+        // What was not looked at has not passed, in none of the scenes.
+        const ProgramResult check = runCli({"gradient", "--check", scene, scene, "--proof-limit", "0.2"}, 60);
+        QCOMPARE(check.status, 1);
+        QCOMPARE(rowsOf(check).rowCount(), std::size_t(2 * count));
+        QCOMPARE(rowsOf(check).field(count, "verdict"), std::string("not-studied"));
+        QVERIFY2(
+            check.errors.contains("many.pov:3: error: " + told + "isosurface and the 2999 after it were"),
+            check.errors.left(500));
+
+        const ProgramResult ofTable = runCli(
+            {"gradient", "--table", writeFile(folder.path(), "many.csv", table), "--proof-limit", "0.2"}, 60);
+        QCOMPARE(ofTable.status, 0);
+        QCOMPARE(rowsOf(ofTable).rowCount(), std::size_t(count));
+        QCOMPARE(rowsOf(ofTable).field(count - 1, "verdict"), std::string("not-studied"));
+        QVERIFY2(ofTable.errors.contains(told + "row and the "), ofTable.errors.left(300));
+    }
+
     void wrongUsageIsRefused() {
         QTemporaryDir folder;
         const QString file = writeFile(folder.path(), "s.pov", QString(scene).arg("").toUtf8());

@@ -255,9 +255,28 @@ class PictureFileTest : public QObject {
         QVERIFY(!QFile::exists(folder_.filePath("stopped.png")));
         const PictureFileResult kept =
             writePictureFile(path("kept.png"), request, {.keepStopped = true}, stop.get_token());
-        QVERIFY(kept.stopped && kept.problem.empty());
+        QVERIFY(kept.stopped && kept.kept && kept.problem.empty());
         QCOMPARE(test::readPngChannels(path("kept.png")).at(200, 150, 1), 0);
         QVERIFY(QDir(folder_.path()).entryList({"*.part"}, QDir::Files | QDir::Hidden).isEmpty());
+    }
+
+    /// The rest of an OpenEXR picture takes as long to be compressed as a picture: that of a large one is not
+    /// written.
+    void aStoppedOpenExrPictureIsKeptWhereItsRestIsSmall() {
+        std::stop_source stop;
+        stop.request_stop();
+        const PictureFileOptions options{.format = PictureFormat::openExr, .keepStopped = true};
+        const PictureFileResult kept =
+            writePictureFile(path("kept.exr"), requestFor(400, 3000), options, stop.get_token());
+        QVERIFY(kept.stopped && kept.kept && kept.problem.empty());
+        const ExrPicture picture = readExr(path("kept.exr"));
+        QCOMPARE(picture.height, 3000);
+        QCOMPARE(picture.channels.at("R")[400 * 2999], 0.0f);
+        QVERIFY(std::isinf(picture.channels.at("Z")[400 * 2999]));
+        const PictureFileResult none =
+            writePictureFile(path("none.exr"), requestFor(4096, 2400), options, stop.get_token());
+        QVERIFY(none.stopped && !none.kept && none.problem.empty());
+        QVERIFY(!QFile::exists(folder_.filePath("none.exr")));
     }
 
     void whatCannotBeWrittenIsSaid() {

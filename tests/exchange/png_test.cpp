@@ -6,6 +6,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/support/png_channels.h"
+
 using namespace isoscope;
 
 namespace {
@@ -114,6 +116,52 @@ class PngTest : public QObject {
         QVERIFY(!PngStream({16, 16}, take).add(Image(15, 16)));
         QVERIFY(!PngStream({16, 16, 12}, take).add(Image(16, 16)));
         QVERIFY(!PngStream({16, 16}, [](std::string_view) { return false; }).add(image));
+    }
+
+    /// The rest of a picture that was cut off, in several bands.
+    void blackRowsEndAPicture() {
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("black.png").toStdString();
+        for (const bool opacity : {false, true})
+            for (const int bits : {8, 16}) {
+                Image image(700, 1500);
+                std::fill_n(image.pixels.begin(), 700 * 100, std::array{1.0f, 0.5f, 0.2f});
+                if (opacity) {
+                    image.opacity.assign(image.pixels.size(), 0);
+                    std::fill_n(image.opacity.begin(), 700 * 100, 1.0f);
+                }
+                std::string bytes;
+                const auto take = [&bytes](std::string_view some) {
+                    bytes += some;
+                    return true;
+                };
+                PngStream stream({700, 1500, bits, opacity}, take);
+                Image strip(700, 100);
+                std::copy_n(image.pixels.begin(), strip.pixels.size(), strip.pixels.begin());
+                if (opacity) strip.opacity.assign(strip.pixels.size(), 1);
+                QVERIFY(stream.add(strip));
+                QVERIFY(stream.addBlack(900));
+                QVERIFY(stream.addBlack(500));
+                QVERIFY(!stream.addBlack(1));
+                QVERIFY(QByteArray::fromStdString(bytes).count("IDAT") >= 5);
+                QFile file(folder.filePath("black.png"));
+                QVERIFY(file.open(QIODevice::WriteOnly));
+                file.write(bytes.data(), static_cast<qint64>(bytes.size()));
+                file.close();
+                const test::PngChannels back = test::readPngChannels(path);
+                QCOMPARE(back.bits, bits);
+                QCOMPARE(back.channels, opacity ? 4 : 3);
+                file.setFileName(folder.filePath("whole.png"));
+                QVERIFY(file.open(QIODevice::WriteOnly));
+                const std::string whole = encodePng(image, 1, bits);
+                file.write(whole.data(), static_cast<qint64>(whole.size()));
+                file.close();
+                QVERIFY(test::readPngChannels(folder.filePath("whole.png").toStdString()).samples ==
+                        back.samples);
+            }
+        // Nothing before it, and a sink that refuses.
+        QVERIFY(PngStream({16, 16}, [](std::string_view) { return true; }).addBlack(16));
+        QVERIFY(!PngStream({16, 16}, [](std::string_view) { return false; }).addBlack(16));
     }
 
     void leavesNothingBehindWhenItFails() {

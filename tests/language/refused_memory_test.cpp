@@ -1,65 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QFile>
 #include <QTest>
-#include <atomic>
-#include <cstdlib>
-#include <new>
 
 #include "core/language/directives/library_paths.h"
 #include "core/language/parse.h"
 #include "core/virtualight/scene_reader.h"
-
-namespace {
-
-/// Allocations that are still granted; -1 grants all. Of this thread alone, for TBB has threads of its own.
-thread_local long granted = -1;
-/// How many were asked for.
-thread_local long asked = 0;
-
-bool refused() {
-    ++asked;
-    if (granted < 0) return false;
-    if (granted > 0) {
-        --granted;
-        return false;
-    }
-    granted = -1;  // once: while the stack is unwound memory becomes free again
-    return true;
-}
-
-void* memoryFor(std::size_t size, std::size_t alignment = alignof(std::max_align_t)) {
-    if (refused()) throw std::bad_alloc();
-    void* memory = alignment <= alignof(std::max_align_t)
-                       ? std::malloc(size)
-                       : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-    if (!memory) throw std::bad_alloc();
-    return memory;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return memoryFor(size); }
-void* operator new[](std::size_t size) { return memoryFor(size); }
-void* operator new(std::size_t size, std::align_val_t alignment) {
-    return memoryFor(size, static_cast<std::size_t>(alignment));
-}
-// What sorts stably asks for its room in this way, and does without.
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    return refused() ? nullptr : std::malloc(size);
-}
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
-    return refused() ? nullptr : std::malloc(size);
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+#include "tests/support/refusing_new.h"
 
 using namespace isoscope;
+using namespace isoscope::test;
 
 namespace {
 
@@ -100,16 +49,6 @@ struct Reading {
         }
     }
 };
-
-/// The result of `read`, whose allocation `at` is refused.
-template <class Read>
-auto refusing(long at, bool& happened, const Read& read) {
-    granted = at;
-    auto result = read();
-    happened = at >= 0 && granted < 0;
-    granted = -1;
-    return result;
-}
 
 Reading readingOf(const ParseResult& parsed, bool refused) {
     // Whatever happened, there are a scene, sources and names to go on with.

@@ -300,6 +300,31 @@ isosurface {
         QCOMPARE(checkMesh(made.mesh).fault, std::string());
     }
 
+    /// Both limits keep the mesh whole; where not even the coarsest one would do there is none.
+    void aLimitOfMemoryIsTold() {
+        const ParseResult parsed = parseScene(statement("sin(9*x)*sin(9*y)*sin(9*z) + 0.1", box2));
+        SceneMeshSettings settings;
+        settings.tolerance = 1e-3;
+        settings.memory = 200'000'000;
+        const SceneMesh made = meshScene(*parsed.scene, placedIsosurfaces(*parsed.scene), settings);
+        QCOMPARE(made.problem, std::string());
+        QVERIFY(made.report.limited);
+        QCOMPARE(checkMesh(made.mesh).fault, std::string());
+        // What is made of the mesh counts, too.
+        settings.bytesOfTriangle = 1000;
+        const SceneMesh smaller = meshScene(*parsed.scene, placedIsosurfaces(*parsed.scene), settings);
+        QCOMPARE(smaller.problem, std::string());
+        QVERIFY(smaller.report.form.triangles < made.report.form.triangles);
+        settings.memory = 1000;
+        const SceneMesh none = meshScene(*parsed.scene, placedIsosurfaces(*parsed.scene), settings);
+        QVERIFY2(none.problem.find("more than 0 MB of memory") != std::string::npos, none.problem.c_str());
+        // It was said that there is no surface.
+        settings = {};
+        settings.cellLimit = 100;
+        const SceneMesh few = meshScene(*parsed.scene, placedIsosurfaces(*parsed.scene), settings);
+        QVERIFY2(few.problem.find("too few boxes") != std::string::npos, few.problem.c_str());
+    }
+
     void whatCannotBeMeshedIsNamed() {
         QVERIFY(meshOf(statement("x", "box { <0,0,0>, <1,1,0> }"), 0.1).problem.find("volume") !=
                 std::string::npos);

@@ -179,6 +179,25 @@ class ProofChainTest : public QObject {
         QVERIFY(together == apart);
     }
 
+    /// A bug once: where the piece with the last root went on to the end of the line, the part behind the
+    /// root ended at the rounded sum of the piece's start and length, a unit short of it.
+    void thePartBehindTheLastRootEndsWithTheLine() {
+        const ParsedFunction parsed = parseFunction("z-floor(z)");
+        const LineQuery line{{2.6456910186592415, 2.7275056828422581, 3.4786511434867009},
+                             {-0.77043117167422936, 0.78891637946981974, 0.30236210414389908},
+                             0.26735351691819842,
+                             3.9422258236732595};
+        RootSettings settings;
+        settings.open = true;
+        settings.maxTrace = 10;
+        settings.threshold = 0.36652065277207041;
+        Counts counts;
+        const QString problem =
+            follow(parsed.value.function, Tape::compile(parsed.value.function), {}, line, settings, counts);
+        QVERIFY2(problem.isEmpty(), qPrintable(problem));
+        QCOMPARE(counts.verdicts[Verdict::certifiedHit], 1);
+    }
+
     void chainsOfRandomFunctionsAreFollowed() {
         const std::uint64_t seed = seedSetting(defaultSeed);
         const double wanted = setting("ISOSCOPE_PROOF_CHAINS", defaultChains);

@@ -65,6 +65,15 @@ class ContainerTest : public QObject {
         QVERIFY(passed > 1000);
     }
 
+    /// A bug once: for more rays than stand in one block places were counted from where a sphere has no
+    /// columns of faces, from a null pointer. UndefinedBehaviorSanitizer tells (the preset `sanitize`).
+    void aSphereNeedsNoFaces() {
+        const std::vector<Ray> rays(3 * LineColumns::padding, Ray{{0, 0.5, -3}, {0, 0, 1}});
+        ContainerPassages passages;
+        passages.find(ContainerSphere{}, rays);
+        QVERIFY(same(passages.range(rays.size() - 1), passages.range(0)) && !passages.range(0).empty());
+    }
+
     void boxesArePassedAsOneByOne() {
         const std::vector<Ray> rays = someRays();
         std::size_t passed = 0;

@@ -243,6 +243,15 @@ class GradientStudyTest : public QObject {
         QVERIFY(!study.step(500));
     }
 
+    /// A bug once: how far a box without a bound is from the target overflowed an int, and it counted among
+    /// the nearest. Sanitizers tell (the preset `sanitize`).
+    void aBoxWithoutABoundIsFarFromTheTarget() {
+        const GradientBracket pole = bracketOf("1/x - y", unitBox, {0.1, 5'000});
+        QVERIFY(pole.state == GradientState::unbounded && std::isinf(pole.upper));
+        const GradientBracket line = bracketOf("ln(x*x+y*y)", unitBox);
+        QVERIFY(line.beside && line.beside->lower >= 31.9 && line.beside->upper <= 32.4);
+    }
+
     /// Boxes are shared out, answers are not: to the last bit.
     void threadsDoNotChangeTheBracket() {
         for (const char* body :

@@ -221,13 +221,16 @@ void MeshExportDialog::submit(double tolerance, MeshFormat format) {
     SceneMeshSettings settings;
     settings.tolerance = tolerance;
     settings.colors = colors_->isChecked();
+    // A person waits for it, who has seen the scene and can stop it.
+    settings.memory = 4'000'000'000;
+    settings.bytesOfTriangle = bytesOfTriangle(format);
     const QString file = file_->text().trimmed();
     worker_.submit([this, settings, format, file, scene = scene_, stop = stopSource_.get_token()](auto) {
-        const SceneMesh made = meshScene(
+        SceneMesh made = meshScene(
             *scene, placedIsosurfaces(*scene), settings, [this](double done) { done_ = done; }, stop);
         std::string problem = made.problem;
         if (problem.empty()) {
-            const MeshFile written = meshFile(made.mesh, format);
+            const MeshFile written = meshFile(std::move(made.mesh), format);
             problem = written.problem;
             if (problem.empty() && !stop.stop_requested())
                 if (const std::string reason = writeWhole(pathOf(file), written.content); !reason.empty())

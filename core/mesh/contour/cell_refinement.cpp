@@ -19,6 +19,15 @@ constexpr std::size_t cellsOfBatch = 128;
 constexpr double residualShare = 0.3;
 /// Normals in a cell differ from their mean by less: 0.57 is a corner of a cube.
 constexpr double leastCosine = 0.25;
+/// Of a cell, beside its samples: the cell, marks of it, and a copy where the tree grows.
+constexpr std::size_t bytesOfCell = 60;
+/// Of the edge of a polygon, its passages, corners and places; and of a triangle, of which some polygons have
+/// two and others four. Found by trial: noise, sines with hundreds of periods.
+constexpr std::size_t bytesOfPolygon = 600, bytesOfTriangle = 60;
+constexpr double trianglesOfPolygon = 3.5;
+/// How many times the crossed edges of cells grow in number as these are split: where the surface is plane in
+/// them, and where the signs of the function are random.
+constexpr double growthOfPlane = 4, growthOfNoise = 8;
 /// A value at all corners hides no dip below 0 if it is so many times what is left of it without the tangent.
 constexpr double dipFactor = 1.5;
 
@@ -83,6 +92,8 @@ void CellRefinement::split(std::vector<std::uint32_t> leaves, const std::functio
         keepLimit(leaves);
         if (leaves.empty()) return;
         const std::size_t firstChild = tree_.size();
+        const std::size_t before = quartersOf(leaves);
+        quarters_ -= before;
         tree_.split(leaves, samplers_, workers_, stop);
         if (stop.stop_requested()) return;
         std::vector<std::uint32_t> unproven;
@@ -92,6 +103,10 @@ void CellRefinement::split(std::vector<std::uint32_t> leaves, const std::functio
             level = std::max(level, static_cast<int>(tree_[cell].level));
         }
         samples_.needCorners(unproven, samplers_, workers_, stop);
+        const std::size_t after = quartersOf(unproven);
+        quarters_ += after;
+        growth_ = std::clamp(static_cast<double>(after) / static_cast<double>(before + 1), growthOfPlane,
+                             growthOfNoise);
         const std::vector<std::uint8_t> judged = judge(unproven, stop);
         leaves.clear();
         for (std::size_t i = 0; i < unproven.size(); ++i)
@@ -100,17 +115,44 @@ void CellRefinement::split(std::vector<std::uint32_t> leaves, const std::functio
     }
 }
 
+CellRefinement::Shortage CellRefinement::shortageFor(std::span<const std::uint32_t> leaves) const {
+    constexpr std::size_t children = 8;
+    const std::size_t cells = children * leaves.size();
+    if (tree_.size() + cells > limits_.cellLimit) return Shortage::cells;
+    const double quarters = growth_ * static_cast<double>(quartersOf(leaves) + leaves.size());
+    const bool fits = memoryWith(cells, static_cast<std::size_t>(quarters)) <= limits_.memory;
+    return fits ? Shortage::none : Shortage::memory;
+}
+
 void CellRefinement::keepLimit(std::vector<std::uint32_t>& leaves) {
-    const auto tooMany = [&] { return tree_.size() + 8 * leaves.size() > limits_.cellLimit; };
-    if (!tooMany()) return;
+    if (shortageFor(leaves) == Shortage::none) return;
     limited_ = true;
+    const auto coarse = [&](std::uint32_t cell) { return tree_[cell].level < limits_.coarsest; };
     // Those with some of the surface first.
     std::erase_if(leaves, [&](std::uint32_t cell) {
-        if (tree_[cell].level < limits_.coarsest) return false;
         const unsigned inside = samples_.cornersInside(cell);
-        return inside == 0 || inside == allCorners;
+        return !coarse(cell) && (inside == 0 || inside == allCorners);
     });
-    if (tooMany()) leaves.clear();
+    const Shortage shortage = shortageFor(leaves);
+    if (shortage == Shortage::none) return;
+    if (std::ranges::any_of(leaves, coarse)) shortage_ = shortage;
+    leaves.clear();
+}
+
+std::size_t CellRefinement::memoryWith(std::size_t cells, std::size_t quarters) const {
+    const std::size_t polygons = (quarters_ + quarters) / 4;
+    // The file is made when the polygons are gone.
+    const double triangles = trianglesOfPolygon * static_cast<double>(polygons);
+    const double made = triangles * static_cast<double>(bytesOfTriangle + limits_.bytesOfTriangle);
+    return bytesOfCell * (tree_.size() + cells) + samples_.memoryWith(cells, polygons) +
+           std::max(bytesOfPolygon * polygons, static_cast<std::size_t>(made));
+}
+
+std::size_t CellRefinement::quartersOf(std::span<const std::uint32_t> cells) const {
+    std::size_t count = 0;
+    for (const std::uint32_t cell : cells)
+        forEachCrossedEdge(samples_.cornersInside(cell), [&](unsigned, unsigned) { ++count; });
+    return count;
 }
 
 std::vector<std::uint8_t> CellRefinement::judge(std::span<const std::uint32_t> cells,

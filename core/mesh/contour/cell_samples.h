@@ -59,9 +59,11 @@ class CellSamples {
     /// Its place, in the coordinates of the function.
     glm::dvec3 placeOf(const MinimalEdge& edge, const EdgeCrossing& crossing) const;
 
-    /// The bytes that it holds, about.
-    std::size_t memory() const {
-        return 24 * corners_.size() + 64 * crossings_.size() + cornersInside_.size();
+    /// The bytes that it would hold with so many further corners, and crossings on all of so many edges,
+    /// about.
+    std::size_t memoryWith(std::size_t corners, std::size_t edges) const {
+        return KeyTable<Corner>::memoryFor(corners_.size() + corners) +
+               KeyTable<EdgeCrossing>::memoryFor(crossings_.size() + edges);
     }
 
   private:

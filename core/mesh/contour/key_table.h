@@ -37,6 +37,10 @@ class KeyTable {
     /// Keys and values by their numbers.
     std::size_t size() const { return keys_.size(); }
     std::uint64_t key(std::size_t number) const { return keys_[number]; }
+    /// The bytes of so many keys, about: what is copied as the table grows is there twice.
+    static constexpr std::size_t memoryFor(std::size_t keys) {
+        return keys * (2 * (sizeof(std::uint64_t) + sizeof(Value)) + 3 * sizeof(std::uint32_t));
+    }
     Value& operator[](std::size_t number) { return values_[number]; }
     const Value& operator[](std::size_t number) const { return values_[number]; }
 

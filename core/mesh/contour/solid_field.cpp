@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <new>
 
 #include "core/evaluate/prepared_function.h"
 
@@ -153,9 +154,13 @@ std::unique_ptr<SolidSampler> SamplerPool::take() {
     return std::make_unique<SolidSampler>(field_);
 }
 
-void SamplerPool::giveBack(std::unique_ptr<SolidSampler> sampler) {
+void SamplerPool::giveBack(std::unique_ptr<SolidSampler> sampler) noexcept {
     const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(sampler));
+    try {
+        idle_.push_back(std::move(sampler));
+    } catch (const std::bad_alloc&) {
+        // Another one is made where there is memory again.
+    }
 }
 
 }  // namespace isoscope

@@ -100,7 +100,7 @@ class SamplerPool {
 
   private:
     std::unique_ptr<SolidSampler> take();
-    void giveBack(std::unique_ptr<SolidSampler> sampler);
+    void giveBack(std::unique_ptr<SolidSampler> sampler) noexcept;
 
     const SolidField& field_;
     std::mutex mutex_;

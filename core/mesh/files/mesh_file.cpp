@@ -63,6 +63,18 @@ MeshAxes usualAxes(MeshFormat format) {
     return MeshAxes::povray;
 }
 
+std::size_t bytesOfTriangle(MeshFormat format) {
+    switch (format) {
+        case MeshFormat::stl: return 50;
+        case MeshFormat::obj: return 110;
+        case MeshFormat::ply: return 40;
+        case MeshFormat::threeMf: return 375;
+        case MeshFormat::gltf: return 190;
+        case MeshFormat::povray: break;
+    }
+    return 220;
+}
+
 MeshFile meshFile(TriangleMesh mesh, MeshFormat format, MeshAxes axes) {
     try {
         mesh.transform(turnTo(axes));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -38,6 +39,10 @@ struct MeshFile {
     std::string content;
     std::string problem;  ///< a sentence; empty where there is a file
 };
+
+/// The bytes that meshFile() takes for each triangle beside the mesh, the file included, about; found by
+/// trial with colours.
+std::size_t bytesOfTriangle(MeshFormat format);
 
 /// Writes a mesh with at least one triangle. Points are written in single precision. The same bytes for the
 /// same mesh.

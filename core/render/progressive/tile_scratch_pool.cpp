@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/progressive/tile_scratch_pool.h"
 
+#include <new>
+
 namespace isoscope {
 
 TileScratchPool::Loan TileScratchPool::take(RayOrder order, std::stop_token stop) {
@@ -18,9 +20,13 @@ std::unique_ptr<TileScratch> TileScratchPool::idle() {
     return work;
 }
 
-void TileScratchPool::giveBack(std::unique_ptr<TileScratch> work) {
+void TileScratchPool::giveBack(std::unique_ptr<TileScratch> work) noexcept {
     const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(work));
+    try {
+        idle_.push_back(std::move(work));
+    } catch (const std::bad_alloc&) {
+        // Another one is made where there is memory again.
+    }
 }
 
 }  // namespace isoscope

@@ -39,7 +39,7 @@ class TileScratchPool {
 
   private:
     std::unique_ptr<TileScratch> idle();
-    void giveBack(std::unique_ptr<TileScratch> work);
+    void giveBack(std::unique_ptr<TileScratch> work) noexcept;
 
     const Picture& picture_;
     std::mutex mutex_;

@@ -48,6 +48,9 @@ void ProofRecorder::noteMarch(const RayPieces& pieces, const MarchLanes& lanes, 
         sign_[lane] = lanes.sign[lane];
         signPlace_[lane] = lanes.signPlace[lane];
         watched_[lane] = lanes.watched[lane];
+        // As the search has it: a piece that is as long as the rest ends with the line, whatever the sum is.
+        const bool through = length_[lane] >= lanes.far[lane] - start_[lane];
+        end_[lane] = through ? lanes.far[lane] : start_[lane] + length_[lane];
         const double from = start_[lane];
         settled_[lane] = from;
         switch (events[lane]) {
@@ -76,8 +79,7 @@ void ProofRecorder::noteHandled(const GeneralSearch& search, const GeneralSearch
     else if (event == MarchEvent::unresolved && now > settled)
         steps_.push_back({ProofRule::passed, settled, now});
     addRoots(i, lane.lanes, now, event, std::span(search.roots()).subspan(rootsBefore));
-    if (event == MarchEvent::crossing)
-        addClear(i, lane[&MarchLanes::high], start_[i] + length_[i], -sign_[i]);
+    if (event == MarchEvent::crossing) addClear(i, lane[&MarchLanes::high], end_[i], -sign_[i]);
 }
 
 void ProofRecorder::addClear(std::size_t lane, double from, double to, double sign) {

@@ -67,7 +67,7 @@ class ProofRecorder {
 
     std::vector<ProofStep> steps_;
     // Of the step at hand, lane by lane.
-    MarchLanes::Lanes start_{}, length_{};  ///< of the pieces before it
+    MarchLanes::Lanes start_{}, length_{}, end_{};  ///< of the pieces before it
     MarchLanes::Lanes center_{}, slope_{}, error_{};
     MarchLanes::Lanes sign_{}, signPlace_{}, watched_{};  ///< before the event is handled
     MarchLanes::Lanes settled_{};                         ///< what the march has settled ends here

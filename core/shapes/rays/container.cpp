@@ -167,6 +167,11 @@ void ContainerPassages::find(const Container& container, std::span<const Ray> ra
     makeRoom(container, rays.size());
     std::array<std::array<double, few>, 6> block{};
     const auto at = [&](std::size_t column) -> const double* { return block[column].data(); };
+    // Of a sphere there are no columns of axes.
+    const bool faces = std::holds_alternative<ContainerBox>(container);
+    const auto axes = [&](AlignedColumn& list, std::size_t first) {
+        return faces ? list.data() + first : nullptr;
+    };
     for (std::size_t first = 0; first < rays.size(); first += few) {
         const std::size_t count = std::min(few, rays.size() - first);
         for (std::size_t k = 0; k < count; ++k)
@@ -179,8 +184,8 @@ void ContainerPassages::find(const Container& container, std::span<const Ray> ra
               {at(3), at(4), at(5)},
               &near_[first],
               &far_[first],
-              nearAxis_.data() + first,
-              farAxis_.data() + first});
+              axes(nearAxis_, first),
+              axes(farAxis_, first)});
     }
 }
 

@@ -294,10 +294,13 @@ GradientStudy::Region GradientStudy::regionOf(const GradientBox& box, double bou
     return region;
 }
 
-/// By powers of two of what the bound is above the target.
+/// By powers of two of what the bound is above the target; without a bound it is as far as can be.
 std::size_t GradientStudy::distanceClass(double bound) const {
+    constexpr int nearest = -10, farthest = 5;
+    static_assert(farthest - nearest + 1 == std::tuple_size_v<decltype(done_)>);
     const double excess = (bound - target()) / target();
-    return static_cast<std::size_t>(std::clamp(std::ilogb(std::max(excess, 1e-300)) + 10, 0, 15));
+    if (!(excess < 0x1p5)) return farthest - nearest;
+    return static_cast<std::size_t>(std::ilogb(std::max(excess, 0x1p-10)) - nearest);
 }
 
 /// Halves regions, or quarters them, and looks at the parts, each by the next thread that has time. What is

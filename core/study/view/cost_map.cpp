@@ -268,6 +268,7 @@ CostMap costMap(const RenderRequest& request, int threads, std::stop_token stop,
     std::size_t tilesDone = 0;
     std::mutex reportMutex;
     WorkerPool(threads).run(tiles, [&](std::size_t index) {
+        if (stop.stop_requested()) return;
         const LoopStop loops(stop);
         TileCounter counter(request, objects, there, stop);
         const int left = static_cast<int>(index) % across * rendererTile,
