@@ -54,8 +54,7 @@ class KeyNames {
 class Declarations {
   public:
     Declarations(const Timeline& timeline, KeyNames& names)
-        : timeline_(timeline),
-          names_(names),
+        : names_(names),
           frame_(names.nameFor("_Frame")),
           way_(names.nameFor("_Way")),
           text_("// Frame of the timeline, and its numbers there.\n") {
@@ -102,7 +101,6 @@ class Declarations {
         text_ += "#declare " + name + " = " + value + ";\n";
     }
 
-    const Timeline& timeline_;
     KeyNames& names_;
     std::string frame_, way_;
     std::string text_;

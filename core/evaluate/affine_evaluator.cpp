@@ -69,8 +69,10 @@ void AffineEvaluator::lookAtTape() {
 }
 
 void AffineEvaluator::keepValues() {
+    std::shared_ptr<const GlobalSimplification> plain = function_->global();
+    if (global_ == plain) return;
     // The workspace refers to the domains, which are those of the tape for any threshold, of what it has now.
-    kept_ = std::exchange(global_, function_->global());
+    kept_ = std::exchange(global_, std::move(plain));
     lookAtTape();
 }
 

@@ -98,13 +98,16 @@ NoiseRange noiseRange(NoiseKind kind, const std::array<double, 3>& givenLow,
     range.bend.fill(nothing);
     // Cells in a row share their parts.
     std::array<std::vector<NoiseAxisPart>, 3> axes;
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
         for (int i = 0; i < spans[axis].count; ++i)
             axes[axis].emplace_back(spans[axis].part(i, low[axis], high[axis]));
-    for (int i = 0; i < spans[0].count; ++i)
-        for (int j = 0; j < spans[1].count; ++j)
-            for (int k = 0; k < spans[2].count; ++k) {
-                const std::array<double, 3> cell{spans[0].first + i, spans[1].first + j, spans[2].first + k};
+    const auto cellOf = [&](std::size_t axis, std::size_t number) {
+        return spans[axis].first + static_cast<double>(number);
+    };
+    for (std::size_t i = 0; i < axes[0].size(); ++i)
+        for (std::size_t j = 0; j < axes[1].size(); ++j)
+            for (std::size_t k = 0; k < axes[2].size(); ++k) {
+                const std::array cell{cellOf(0, i), cellOf(1, j), cellOf(2, k)};
                 const std::array parts{axes[0][i], axes[1][j], axes[2][k]};
                 includeNoiseCell(
                     isGradient ? gradientFactors(cell) : latticeFactors(static_cast<int>(kind), cell), parts,

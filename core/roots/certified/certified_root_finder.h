@@ -70,10 +70,14 @@ class CertifiedRootFinder : public LineRootFinder {
     std::span<const Verdict> verdicts() const override { return verdicts_; }
 
     /// From now on find() tells poles among the roots of lists of less than 16 lines, where the sign changes
-    /// through infinity; they are no surface.
-    void listPoles() { lanes_.listPoles(); }
+    /// through infinity; they are no surface. Only before the first search: enclosures are then of the
+    /// function itself, not of one with the same sign.
+    void listPoles() {
+        forms_.keepValues();
+        lanes_.listPoles();
+    }
     /// From now on find() tells `recorder`, which must live as long, how it searches lists of less than 16
-    /// lines, by enclosures of the function itself. Only before the first search.
+    /// lines. Only before the first search, as listPoles().
     void recordInto(ProofRecorder& recorder) {
         forms_.keepValues();
         lanes_.recordInto(&recorder);
