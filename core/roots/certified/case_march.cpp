@@ -14,9 +14,8 @@ namespace {
 constexpr double unit = std::numeric_limits<double>::epsilon();
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// What doubles can hardly tell apart on a line up to `far`: as for the march by sides, the places of points
-/// are no more exact where t is small.
-double grain(double far) { return 32 * unit * far; }
+/// What doubles can hardly tell apart on a piece.
+double grain(double start, double length) { return 32 * unit * (std::abs(start) + length); }
 
 /// How well the place of a jump has to be known. Forms are so good over so short a piece that it is.
 double finest(double resolution) { return resolution / 64; }
@@ -89,8 +88,7 @@ void CaseMarch::collect(const RayPieces& pieces, const MarchLanes& lanes, const 
         const std::size_t most = last ? mostPartsAtLast : pays() ? mostParts : 0;
         const int sign = lanes.signPlace[i] == t ? static_cast<int>(lanes.sign[i]) : 0;
         undecided_.push_back({i, t, length, t + (1 + cases_.firstLow[i]) * half,
-                              t + (1 + cases_.firstHigh[i]) * half, most, sign, t + length,
-                              grain(lanes.far[i])});
+                              t + (1 + cases_.firstHigh[i]) * half, most, sign, t + length});
         divide({undecided_.size() - 1, t, length, 0, {}}, i);
     }
 }
@@ -160,7 +158,7 @@ void CaseMarch::divide(const Part& part, std::size_t lane) {
             side.start = isFirst ? part.start : low;
             side.length = (isFirst ? high : end) - side.start;
         }
-        if (side.length > at.grain) dividedParts_.push_back(side);
+        if (side.length > grain(side.start, side.length)) dividedParts_.push_back(side);
     }
 }
 

@@ -18,10 +18,10 @@ namespace isoscope {
 /// part that remains undecided, by the next jump, and so on. Where all parts are on one side of the
 /// threshold, there is no root; else the piece is free up to the first part that is not, and where the parts
 /// before it and behind it are on opposite sides, and meet within 1/64 of the resolution, the function jumps
-/// through the threshold there (MarchEvent::jump). Parts shorter than 32 units of the line's end, the
-/// grain of GeneralSearch, are left out: where two jumps are at one place, as the steps of a brick and of its
-/// row are, they hold what neither side has. Where the parts tell nothing, the piece ends where the first
-/// jump may be, so that a jump costs a few steps and no bisection.
+/// through the threshold there (MarchEvent::jump). Parts shorter than 32 units of t, the grain of
+/// GeneralSearch, are left out: where two jumps are at one place, as the steps of a brick and of its row are,
+/// they hold what neither side has. Where the parts tell nothing, the piece ends where the first jump may be,
+/// so that a jump costs a few steps and no bisection.
 class CaseMarch {
   public:
     /// Enclosures by cases of one piece; of the shortest pieces, which cannot be cut, it may have more.
@@ -50,7 +50,6 @@ class CaseMarch {
         std::size_t partsLeft;
         int sign;             ///< of the function at the start; 0 where that is not certain
         double limit;         ///< parts that begin beyond tell nothing
-        double grain;         ///< parts as short as this are left out
         int partSign = 0;     ///< of the parts so far
         bool differ = false;  ///< whether one of them has another sign, or is undecided
         bool vain = false;    ///< whether one that begins where the piece does is undecided
