@@ -198,6 +198,25 @@ class ProofChainTest : public QObject {
         QCOMPARE(counts.verdicts[Verdict::certifiedHit], 1);
     }
 
+    /// A bug once: near t = 0 the places where two jumps are one were taken for more exact than points are,
+    /// and what neither side has was told as two roots, 4e-15 apart.
+    void jumpsAtOnePlaceNearTheOriginAreNoRoots() {
+        const ParsedFunction parsed =
+            parseFunction("floor(mod(mod(z,-0.010949453909553026),-0.010949453909553026))");
+        const LineQuery line{{-1.2463851663396737, -0.98355888153129234, 1.4249026396334905},
+                             {-0.92717220580566106, -0.055777150381258411, -0.78331043392620237},
+                             0.53699097795416939,
+                             3.5832071325803825};
+        RootSettings settings;
+        settings.open = true;
+        settings.maxTrace = 10;
+        settings.threshold = -0.9589363135541028;
+        Counts counts;
+        const QString problem =
+            follow(parsed.value.function, Tape::compile(parsed.value.function), {}, line, settings, counts);
+        QVERIFY2(problem.isEmpty(), qPrintable(problem));
+    }
+
     void chainsOfRandomFunctionsAreFollowed() {
         const std::uint64_t seed = seedSetting(defaultSeed);
         const double wanted = setting("ISOSCOPE_PROOF_CHAINS", defaultChains);

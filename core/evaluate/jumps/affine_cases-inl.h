@@ -42,7 +42,7 @@ class AffineCaseAlgebra : public AffineWholeAlgebra {
             case Operation::ceiling: return ceilingOf(p[0], lane);
             case Operation::truncate: return truncated(p[0], lane);
             case Operation::fraction: return fractionOf(p[0], lane);
-            case Operation::integerDivide: return truncated(divide(p[0], p[1]), lane);
+            case Operation::integerDivide: return truncated(quotientOf(p[0], p[1]), lane);
             case Operation::remainder: return remainderOf(p[0], p[1], lane);
             case Operation::arcTangent2: return angle(p[0], p[1], lane);
             case Operation::equal: return equality(equal(p[0], p[1]), p[0], p[1], lane);
@@ -165,9 +165,7 @@ class AffineCaseAlgebra : public AffineWholeAlgebra {
         return chooseNumber(hn::And(step.known, fits), exactNumber(step.side), truncate(p));
     }
     HWY_INLINE Number remainderOf(const Number& p, const Number& q, std::size_t lane) {
-        // Not by one number for a lane: where the sides of a jump end would be told so closely that what they
-        // leave open is longer than what CaseMarch leaves out.
-        const Number quotient = divide(p, q);
+        const Number quotient = quotientOf(p, q);
         const Told step = truncationOf(quotient, lane);
         const Number side = differenceOf(p, productOf(q, exactNumber(step.side)));
         return chooseNumber(step.known, side, AffineAlgebra::remainderOf(p, q, quotient));

@@ -158,8 +158,16 @@ void CaseMarch::divide(const Part& part, std::size_t lane) {
             side.start = isFirst ? part.start : low;
             side.length = (isFirst ? high : end) - side.start;
         }
-        if (side.length > grain(side.start, side.length)) dividedParts_.push_back(side);
+        if (side.length > grain(side.start, side.length))
+            dividedParts_.push_back(side);
+        else
+            addShort(side);
     }
+}
+
+void CaseMarch::addShort(const Part& part) {
+    leaves_.push_back({part.owner, part.start, part.start + part.length, 0, true});
+    undecided_[part.owner].differ = true;
 }
 
 /// Parts that begin beyond the first one with another sign by more than `reach` tell nothing any more.
@@ -191,25 +199,36 @@ void CaseMarch::join() {
 }
 
 /// Reads off the parts of a piece, in order of where they begin, how far it is free. They overlap: a place
-/// has a sign where all parts that hold it have.
+/// has a sign where all parts that hold it have. Where a short part is, it is not known.
 void CaseMarch::join(Undecided& at, std::span<const Leaf> leaves) {
     const bool known = at.sign != 0;
-    if (!known) at.sign = leaves.front().sign;
-    std::size_t k = 0;
-    for (at.behind = at.start; k < leaves.size() && leaves[k].sign == at.sign; ++k)
-        at.behind = std::max(at.behind, leaves[k].end);
-    if (k == leaves.size()) return;
-    at.free = std::max(leaves[k].start, at.start);
-    at.behind = std::max(at.behind, at.free);
+    const auto first =
+        std::find_if(leaves.begin(), leaves.end(), [](const Leaf& leaf) { return !leaf.isShort; });
+    if (first == leaves.end()) {
+        at.sign = 0;
+        return;
+    }
+    if (!known) at.sign = first->sign;
+    const auto other = std::find_if(first, leaves.end(),
+                                    [&](const Leaf& leaf) { return !leaf.isShort && leaf.sign != at.sign; });
+    if (other != leaves.end()) at.free = std::max(other->start, at.start);
+    for (auto leaf = other; leaf-- != leaves.begin();)
+        if (leaf->isShort && leaf->end >= at.free) at.free = std::min(at.free, leaf->start);
+    double unsure = at.start;  // up to here a part that is left out may have another sign
+    for (const Leaf& leaf : leaves)
+        if (leaf.isShort && leaf.start <= unsure) unsure = std::max(unsure, leaf.end);
+    if (!known && at.free <= unsure) at.sign = 0;
+    if (other == leaves.end() || at.sign == 0) return;
+    at.behind = at.free;
+    for (auto leaf = leaves.begin(); leaf != other; ++leaf) at.behind = std::max(at.behind, leaf->end);
     double opposite = at.start;
     at.crosses = true;
-    for (; k < leaves.size() && leaves[k].start <= at.behind; ++k) {
-        at.crosses = at.crosses && leaves[k].sign != 0;
-        double& end = leaves[k].sign == -at.sign ? opposite : at.behind;
-        end = std::max(end, leaves[k].end);
+    for (auto leaf = other; leaf != leaves.end() && leaf->start <= at.behind; ++leaf) {
+        at.crosses = at.crosses && (leaf->isShort || leaf->sign != 0);
+        double& end = leaf->sign == -at.sign ? opposite : at.behind;
+        end = std::max(end, leaf->end);
     }
     at.crosses = at.crosses && opposite > at.behind;
-    if (!known && at.free == at.start) at.sign = 0;
 }
 
 /// The lane is where the free part of its piece ends: at the jump, or at what is to be looked at again.

@@ -72,6 +72,7 @@ class CaseMarch {
         std::size_t owner;
         double start, end;
         int sign;
+        bool isShort = false;
     };
 
     void collect(const RayPieces& pieces, const MarchLanes& lanes, const SignRule& rule, std::size_t count);
@@ -81,6 +82,7 @@ class CaseMarch {
                   const MarchLanes& lanes, const SignRule& rule);
     void divide(const Part& part, std::size_t lane);
     void addLeaf(const Part& part, int sign, double reach);
+    void addShort(const Part& part);
     void join();
     static void join(Undecided& at, std::span<const Leaf> leaves);
     static bool helps(const Undecided& at, double resolution);
