@@ -17,8 +17,8 @@ Expression radial(const PatternCall& call) {
 }
 
 Expression arms(const PatternCall& call, Expression radius) {
-    const Expression elevation = apply(Operation::arcSine, call.y / radius);
-    const Expression angle = select(call.x, 3 * pi / 2 - elevation, pi / 2 + elevation);
+    // By the arcsine of y / radius, as the page has it, it would be badly conditioned beside the plane x = 0.
+    const Expression angle = pi + atan2(-call.x, call.y);
     const Expression beta = select(radius, angle, call.number(0), angle);
     const Expression turned = call.z + radius + call.pattern.arms * beta / (2 * pi);
     const auto& amounts = call.pattern.turbulence;
