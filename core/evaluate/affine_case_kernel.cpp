@@ -72,7 +72,7 @@ template <class Algebra>
 bool runProgram(TapeWorkspace& workspace, const StepProgram& program, Algebra& algebra,
                 const std::vector<bool>& isWhole, std::size_t lanes) {
     for (const StepProgram::Stretch& stretch : program.stretches()) {
-        if (!runAffineSteps(program, stretch, lanes)) return false;
+        if (!runAffineSteps(workspace, program, stretch, lanes)) return false;
         if (!stretch.instructions.empty())
             runByAlgebra(workspace, stretch.instructions, algebra, isWhole, lanes, false);
     }

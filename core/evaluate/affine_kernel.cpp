@@ -19,7 +19,10 @@ namespace isoscope::HWY_NAMESPACE {
 
 void runAffineForms(TapeWorkspace& workspace, std::span<const Instruction> instructions, std::size_t lanes) {
     // A number of three or four vectors leaves little to gain from a fixed count of lanes.
-    TapeInterpreter<AffineAlgebra, false>(workspace, lanes).run(instructions);
+    if (workspace.tape().multipliesRanges())
+        TapeInterpreter<AffineRangeAlgebra, false>(workspace, lanes).run(instructions);
+    else
+        TapeInterpreter<AffineAlgebra, false>(workspace, lanes).run(instructions);
 }
 
 void runStretches(TapeWorkspace& workspace, const StepProgram& program, const PieceColumns& pieces,
@@ -28,11 +31,17 @@ void runStretches(TapeWorkspace& workspace, const StepProgram& program, const Pi
     const auto arguments = static_cast<std::size_t>(std::min(3, workspace.tape().argumentCount()));
     for (std::size_t k = 0; k < arguments; ++k) places[k] = workspace.slot(static_cast<Slot>(k));
     writeForms(pieces, spread, lanes, std::span(places).first(arguments));
-    runComposedProgram<AffineAlgebra, 4>(workspace, program, lanes);
+    if (workspace.tape().multipliesRanges())
+        runComposedProgram<AffineRangeAlgebra, 4>(workspace, program, lanes);
+    else
+        runComposedProgram<AffineAlgebra, 4>(workspace, program, lanes);
 }
 
-bool runSteps(const StepProgram& program, const StepProgram::Stretch& stretch, std::size_t lanes) {
-    return runComposedSteps<AffineAlgebra, 4>(program, stretch, lanes);
+bool runSteps(const TapeWorkspace& workspace, const StepProgram& program, const StepProgram::Stretch& stretch,
+              std::size_t lanes) {
+    return workspace.tape().multipliesRanges()
+               ? runComposedSteps<AffineRangeAlgebra, 4>(program, stretch, lanes)
+               : runComposedSteps<AffineAlgebra, 4>(program, stretch, lanes);
 }
 
 void widenForms(const AffineLanes& forms, double offset, double error, std::size_t count, double* centers,
@@ -72,8 +81,9 @@ void runAffineProgram(TapeWorkspace& workspace, const StepProgram& program, cons
     HWY_DYNAMIC_DISPATCH(runStretches)(workspace, program, pieces, spread, lanes);
 }
 
-bool runAffineSteps(const StepProgram& program, const StepProgram::Stretch& stretch, std::size_t lanes) {
-    return HWY_DYNAMIC_DISPATCH(runSteps)(program, stretch, lanes);
+bool runAffineSteps(const TapeWorkspace& workspace, const StepProgram& program,
+                    const StepProgram::Stretch& stretch, std::size_t lanes) {
+    return HWY_DYNAMIC_DISPATCH(runSteps)(workspace, program, stretch, lanes);
 }
 
 void widenAffineForms(const AffineLanes& forms, double offset, double error, std::size_t count,

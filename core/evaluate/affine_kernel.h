@@ -20,8 +20,10 @@ void runAffineInstructions(TapeWorkspace& workspace, std::span<const Instruction
 void runAffineProgram(TapeWorkspace& workspace, const StepProgram& program, const PieceColumns& pieces,
                       const RaySpread* spread, std::size_t lanes);
 
-/// Runs the steps of one stretch of such a program. False, without effect, where instructions are better.
-bool runAffineSteps(const StepProgram& program, const StepProgram::Stretch& stretch, std::size_t lanes);
+/// Runs the steps of one stretch of such a program, which is one of this workspace. False, without effect,
+/// where instructions are better.
+bool runAffineSteps(const TapeWorkspace& workspace, const StepProgram& program,
+                    const StepProgram::Stretch& stretch, std::size_t lanes);
 
 /// Adds offset +- error to the first `count` forms, whole vectors of them: centers and errors are what
 /// becomes of them, and may be where they have been.

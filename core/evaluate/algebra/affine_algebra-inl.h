@@ -543,6 +543,41 @@ class AffineAlgebra {
     const double* domains_ = nullptr;
 };
 
+/// The same, but products and squares of forms that are wide are within the plain ranges of these: for tapes
+/// that multiplyRanges().
+class AffineRangeAlgebra : public AffineAlgebra {
+  public:
+    using AffineAlgebra::multiply;
+    HWY_INLINE Number multiply(const Number& p, const Number& q) const {
+        const Number product = productOf(p, q);
+        if (HWY_LIKELY(hn::AllFalse(Doubles(), hn::Or(isWide(p), isWide(q))))) return product;
+        const VectorRange x = rangeOf(p), y = rangeOf(q);
+        const Vector ll = hn::Mul(x.low, y.low), lh = hn::Mul(x.low, y.high);
+        const Vector hl = hn::Mul(x.high, y.low), hh = hn::Mul(x.high, y.high);
+        return within(product, hn::Min(hn::Min(ll, lh), hn::Min(hl, hh)),
+                      hn::Max(hn::Max(ll, lh), hn::Max(hl, hh)));
+    }
+    HWY_INLINE Number square(const Number& p) const {
+        const Number square = squareOf(p);
+        if (HWY_LIKELY(hn::AllFalse(Doubles(), isWide(p)))) return square;
+        const Vector radius = radiusOf(p), middle = hn::Abs(p.a);
+        const Vector least = hn::Max(hn::Sub(middle, radius), zeroVector()), most = hn::Add(middle, radius);
+        return within(square, hn::Mul(least, least), hn::Mul(most, most));
+    }
+
+  private:
+    /// Lanes whose error is so much of the value that the range of a product may be less than the error of
+    /// its form.
+    static HWY_INLINE Mask isWide(const Number& p) { return hn::Gt(p.e, half(hn::Abs(p.a))); }
+
+    /// A known product, or [low, high] where its error alone leaves open more.
+    static HWY_INLINE Number within(const Number& product, Vector low, Vector high) {
+        const Vector room = constantVector(underflow);
+        const Number range = betweenNumber(hn::Sub(low, room), hn::Add(high, room));
+        return chooseNumber(hn::And(isKnown(product), hn::Lt(range.e, product.e)), range, product);
+    }
+};
+
 }  // namespace isoscope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -61,6 +61,11 @@ class Tape {
     const TapeLoop& loop(std::uint32_t index) const { return loops_[index]; }
     std::span<const TapeLoop> loops() const { return loops_; }
 
+    /// Whether a product or a square is of what comes from operations with a range of their own (noise, sine,
+    /// min, steps): over long pieces little more is known of these than the range, so that the range of their
+    /// product says more than what its form does.
+    bool multipliesRanges() const { return multipliesRanges_; }
+
     /// Values of the uniform slots, in slot order, for a parameter table (missing slots count as 0).
     std::vector<double> uniforms(std::span<const double> parameters) const;
 
@@ -74,6 +79,7 @@ class Tape {
     std::vector<Slot> results_;
     std::vector<CrackleSettings> crackles_;
     std::vector<TapeLoop> loops_;
+    bool multipliesRanges_ = false;
     /// The uniform part as a graph of its own (constants and parameters only), one result per uniform slot.
     Function uniformFunction_;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 namespace isoscope {
 
@@ -11,6 +12,32 @@ namespace {
 constexpr Slot noSlot = std::numeric_limits<Slot>::max();
 
 bool isLoop(Operation operation) { return operation == Operation::sum || operation == Operation::product; }
+
+/// Whether an operation keeps its values within limits of its own, whatever its operands do, or as far as it
+/// chooses one of them.
+bool hasRange(Operation operation) {
+    switch (operation) {
+        case Operation::sine:
+        case Operation::cosine:
+        case Operation::arcSine:
+        case Operation::arcCosine:
+        case Operation::arcTangent:
+        case Operation::arcTangent2:
+        case Operation::hyperbolicTangent:
+        case Operation::fraction:
+        case Operation::triangleWave:
+        case Operation::cycle:
+        case Operation::remainder:
+        case Operation::minimum:
+        case Operation::maximum:
+        case Operation::noise:
+        case Operation::noiseGradientX:
+        case Operation::noiseGradientY:
+        case Operation::noiseGradientZ:
+        case Operation::crackle: return true;
+        default: return false;
+    }
+}
 
 /// Calls visit(operand) for every operand of a node, captured values included.
 template <class Visit>
@@ -44,7 +71,23 @@ std::shared_ptr<const Tape> TapeCompiler::compile() {
     tape_->slotCount_ = tape_->firstReused();
     for (const NodeId id : order_) emit(id);
     for (const NodeId result : function_.results) tape_->results_.push_back(slotOf_[result]);
+    tape_->multipliesRanges_ = multipliesRanges();
     return std::move(tape_);
+}
+
+bool TapeCompiler::multipliesRanges() const {
+    std::vector<bool> isRange(tape_->slotCount_, false);
+    for (const Instruction& instruction : tape_->instructions_) {
+        const auto operands = std::span(instruction.operands).first(instruction.operandCount);
+        const bool ofRange = std::ranges::any_of(operands, [&](Slot slot) { return isRange[slot]; });
+        const bool isSquare = instruction.operation == Operation::square;
+        const bool isProduct =
+            instruction.operation == Operation::multiply &&
+            std::ranges::none_of(operands, [&](Slot slot) { return tape_->isUniform(slot); });
+        if (isLoop(instruction.operation) || (ofRange && (isSquare || isProduct))) return true;
+        isRange[instruction.target] = ofRange || hasRange(instruction.operation);
+    }
+    return false;
 }
 
 void TapeCompiler::markNeeded() {

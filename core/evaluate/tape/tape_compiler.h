@@ -40,6 +40,7 @@ class TapeCompiler {
     void countUses();
     void emit(NodeId id);
     void emitLoop(NodeId id, Instruction& instruction);
+    bool multipliesRanges() const;
     Slot takeSlot();
     void release(NodeId operand);
     bool varying(NodeId id) const;
