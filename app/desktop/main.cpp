@@ -3,6 +3,8 @@
 #include <clocale>
 #include <cstdio>
 #include <cstring>
+#include <exception>
+#include <new>
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
@@ -105,8 +107,12 @@ void takeScreenshot(isoscope::MainWindow& window, const QString& file) {
     QElapsedTimer since;
     since.start();
     QObject::connect(timer, &QTimer::timeout, &window, [&window, timer, file, since] {
-        if (!window.atRest() && !since.hasExpired(screenshotLimit)) return;
+        const bool rests = window.atRest();
+        if (!rests && !since.hasExpired(screenshotLimit)) return;
         timer->stop();
+        if (!rests)
+            std::fprintf(stderr, "isoscope: not everything is drawn after %d seconds\n",
+                         screenshotLimit / 1000);
         QCoreApplication::sendPostedEvents();  // layouts that wait for texts of the last moment
         const bool written = window.grab().save(file);
         if (!written) std::fprintf(stderr, "%s cannot be written\n", qPrintable(file));
@@ -148,9 +154,7 @@ void tellMissingFonts() {
         std::fputs("isoscope: no fonts are installed, so that all letters are drawn as boxes.\n", stderr);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
     if (argc == 2 && std::strcmp(argv[1], "--manual") == 0) {
         std::fputs(manual().c_str(), stdout);
         return std::fflush(stdout) == 0 ? 0 : 1;
@@ -194,4 +198,18 @@ int main(int argc, char** argv) {
     }
     takeScreenshot(window, options.screenshot);
     return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // Memory and threads may be refused. The text is kept as it is for any other end of the program.
+    try {
+        return run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        std::fputs("isoscope: there is not enough memory\n", stderr);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "isoscope: %s\n", error.what());
+    }
+    return 1;
 }
