@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <new>
 
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -42,11 +43,25 @@ inline void takeLargePages([[maybe_unused]] std::size_t room) {
 #endif
 }
 
+/// Where the system refuses memory, lets the heap grow by no more than what is asked for, and has it asked
+/// once more: room for large pages is no reason to fail.
+inline void growByNeedWhereShort() {
+#if defined(__GLIBC__)
+    std::set_new_handler([] {
+        thread_local bool before = false;
+        if (before) throw std::bad_alloc();
+        before = true;
+        mallopt(M_TOP_PAD, 0);
+    });
+#endif
+}
+
 /// Makes the heap ready for drawing. To be called before there are threads.
 inline void prepareHeap() {
     constexpr std::size_t room = 16 << 20;
     keepFreedMemory(2 * room);
     takeLargePages(room);
+    growByNeedWhereShort();
 }
 
 }  // namespace isoscope

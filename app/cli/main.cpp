@@ -28,12 +28,7 @@ std::string manual(const CommandLine& line) {
          {"SEE ALSO", "isoscope(1), povray(1)", {}}});
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    isoscope::prepareHeap();
-    CommandLine line("Isoscope without a window: evaluates, traces, renders and checks isosurface scenes.",
-                     "isoscope-cli", ISOSCOPE_VERSION);
+void addCommands(CommandLine& line) {
     addEvaluateCommand(line);
     addTraceCommand(line);
     addInsideCommand(line);
@@ -60,13 +55,24 @@ int main(int argc, char** argv) {
     addDerivativeCommand(line);
     addDifferenceCommand(line);
     addEvaluateAdviceCommand(line);
-    if (argc == 2 && std::string_view(argv[1]) == "--manual") {
-        std::cout << manual(line);
-        return finishStandardOutput() ? done : inputHasErrors;
-    }
+}
+
+ExitStatus run(int argc, char** argv) {
+    CommandLine line("Isoscope without a window: evaluates, traces, renders and checks isosurface scenes.",
+                     "isoscope-cli", ISOSCOPE_VERSION);
+    addCommands(line);
+    if (argc != 2 || std::string_view(argv[1]) != "--manual") return line.run(argc, argv);
+    std::cout << manual(line);
+    return done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    isoscope::prepareHeap();
     ExitStatus status = inputHasErrors;
     try {
-        status = line.run(argc, argv);
+        status = run(argc, argv);
     } catch (const std::bad_alloc&) {
         std::cerr << "error: there is not enough memory\n";
     } catch (const std::exception& error) {

@@ -3,6 +3,8 @@
 #include <clocale>
 #include <cstdio>
 #include <cstring>
+#include <exception>
+#include <new>
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
@@ -14,6 +16,7 @@
 #include "app/man_page.h"
 #include "widgets/interface_language.h"
 #include "widgets/notice_bar.h"
+#include "widgets/section/font_file.h"
 #include "widgets/theme.h"
 
 namespace {
@@ -104,8 +107,12 @@ void takeScreenshot(isoscope::MainWindow& window, const QString& file) {
     QElapsedTimer since;
     since.start();
     QObject::connect(timer, &QTimer::timeout, &window, [&window, timer, file, since] {
-        if (!window.atRest() && !since.hasExpired(screenshotLimit)) return;
+        const bool rests = window.atRest();
+        if (!rests && !since.hasExpired(screenshotLimit)) return;
         timer->stop();
+        if (!rests)
+            std::fprintf(stderr, "isoscope: not everything is drawn after %d seconds\n",
+                         screenshotLimit / 1000);
         QCoreApplication::sendPostedEvents();  // layouts that wait for texts of the last moment
         const bool written = window.grab().save(file);
         if (!written) std::fprintf(stderr, "%s cannot be written\n", qPrintable(file));
@@ -119,22 +126,48 @@ void tellUnread(const QString& problem) {
     if (!problem.isEmpty()) std::fprintf(stderr, "isoscope: %s\n", qPrintable(problem));
 }
 
-}  // namespace
+/// Ends the program with the reason where Qt finds nothing to draw on: Qt itself would abort, which looks
+/// like a crash and says that the program should be installed anew. There is no translation before there is
+/// an application.
+void endWithoutDisplay(QtMsgType type, const QMessageLogContext&, const QString& message) {
+    const QByteArray text = message.toLocal8Bit();
+    if (type != QtFatalMsg) {
+        std::fprintf(stderr, "%s\n", text.constData());
+        return;
+    }
+    const QByteArray platform = qgetenv("QT_QPA_PLATFORM"), display = qgetenv("DISPLAY");
+    if (!platform.isEmpty())
+        std::fprintf(stderr, "isoscope: the platform \"%s\" of QT_QPA_PLATFORM cannot be used.\n",
+                     platform.constData());
+    else if (display.isEmpty() && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
+        std::fprintf(stderr, "isoscope: there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set.\n");
+    else
+        std::fprintf(stderr, "isoscope: the display cannot be used (DISPLAY=%s).\n%s\n", display.constData(),
+                     text.constData());
+    std::fputs("isoscope-cli draws, measures and checks scenes without one.\n", stderr);
+    std::_Exit(1);
+}
 
-int main(int argc, char** argv) {
+/// Without fonts every letter is a box, so that the window cannot tell of it.
+void tellMissingFonts() {
+    if (!isoscope::hasFonts())
+        std::fputs("isoscope: no fonts are installed, so that all letters are drawn as boxes.\n", stderr);
+}
+
+int run(int argc, char** argv) {
     if (argc == 2 && std::strcmp(argv[1], "--manual") == 0) {
         std::fputs(manual().c_str(), stdout);
         return std::fflush(stdout) == 0 ? 0 : 1;
     }
-    // What only prints needs no display.
+    // What only prints needs no display, nor does it ask for one that may be wrong.
     const bool prints = std::any_of(argv + 1, argv + argc, [](const char* word) {
         return std::strcmp(word, "--help") == 0 || std::strcmp(word, "-h") == 0 ||
                std::strcmp(word, "--version") == 0 || std::strcmp(word, "-v") == 0;
     });
-    if (prints && qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
-        qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
-        qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (prints) qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QtMessageHandler usual = qInstallMessageHandler(endWithoutDisplay);
     QApplication application(argc, argv);
+    qInstallMessageHandler(usual);
     // Qt took the system's locale: with its decimal comma, libraries that print and read numbers in C go
     // wrong.
     std::setlocale(LC_NUMERIC, "C");
@@ -144,6 +177,7 @@ int main(int argc, char** argv) {
     QApplication::setDesktopFileName(QStringLiteral("isoscope"));
     isoscope::applyInterfaceLanguage();  // help and mistakes of the command line, too
     const Options options = readOptions(application);
+    tellMissingFonts();
     isoscope::MainWindow window;
     // A program of its own: what one window computes, or loses in a crash, is none of the other's business.
     QObject::connect(&window, &isoscope::MainWindow::windowRequested, &window, [&window] {
@@ -164,4 +198,18 @@ int main(int argc, char** argv) {
     }
     takeScreenshot(window, options.screenshot);
     return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // Memory and threads may be refused. The text is kept as it is for any other end of the program.
+    try {
+        return run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        std::fputs("isoscope: there is not enough memory\n", stderr);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "isoscope: %s\n", error.what());
+    }
+    return 1;
 }

@@ -59,6 +59,8 @@ bool isDrawn(const fs::path& file, int width, int height, const fs::path& scene)
     std::error_code failed;
     const auto drawn = fs::last_write_time(file, failed);
     if (failed || drawn < fs::last_write_time(scene, failed) || failed) return false;
+    // By a clock that was set back since: the scene may have changed at what is earlier now.
+    if (drawn > fs::file_time_type::clock::now()) return false;
     // Signature, length and name of the first chunk, then the two sizes.
     std::array<char, 24> head{};
     std::ifstream input(file, std::ios::binary);

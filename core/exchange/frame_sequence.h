@@ -35,7 +35,8 @@ struct FrameSequence {
     std::vector<int> framesOf(const WorkPart& part) const;
 };
 
-/// Whether a picture of this size stands at `file` that is not older than `scene`: there is nothing to do.
+/// Whether a picture of this size stands at `file` that is not older than `scene`, nor of a time that is yet
+/// to come: there is nothing to do.
 bool isDrawn(const std::filesystem::path& file, int width, int height, const std::filesystem::path& scene);
 
 }  // namespace isoscope

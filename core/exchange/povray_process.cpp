@@ -4,9 +4,12 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
+#if defined(__linux__)
+#include <sys/prctl.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -30,6 +33,8 @@ namespace fs = std::filesystem;
 constexpr int waitMilliseconds = 50;
 /// What is kept of what POV-Ray says.
 constexpr std::size_t keptOutput = 1 << 14;
+/// The status of a program that could not be started, as shells have it.
+constexpr int notStarted = 127;
 
 class TemporaryFolder {
   public:
@@ -72,7 +77,8 @@ std::string restrictions(const PovrayOrder& order, const fs::path& own) {
     return text;
 }
 
-/// A child process whose standard error, and output, are read.
+/// A child process whose standard error, and output, are read. It ends with this thread at the latest,
+/// whatever ends that.
 class Child {
   public:
     Child(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& home) {
@@ -83,21 +89,11 @@ class Child {
         std::vector<std::string> settings{"HOME=" + home.string()};
         for (char** entry = environ; *entry; ++entry)
             if (!std::string_view(*entry).starts_with("HOME=")) settings.emplace_back(*entry);
-        posix_spawn_file_actions_t actions;
-        ::posix_spawn_file_actions_init(&actions);
-        ::posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-        ::posix_spawn_file_actions_adddup2(&actions, ends[1], 1);
-        ::posix_spawn_file_actions_adddup2(&actions, ends[1], 2);
-        ::posix_spawn_file_actions_addchdir_np(&actions, home.c_str());
-        posix_spawnattr_t attributes;
-        ::posix_spawnattr_init(&attributes);
-        // A group of its own: what a script has started is ended with it.
-        ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-        if (::posix_spawn(&process_, program.c_str(), &actions, &attributes, pointers(words).data(),
-                          pointers(settings).data()) != 0)
-            process_ = -1;
-        ::posix_spawnattr_destroy(&attributes);
-        ::posix_spawn_file_actions_destroy(&actions);
+        // Made before: behind fork() a program with threads must not ask for memory.
+        const std::vector<char*> wordPointers = pointers(words), settingPointers = pointers(settings);
+        const pid_t parent = ::getpid();
+        process_ = ::fork();
+        if (process_ == 0) become(parent, ends[1], home.c_str(), wordPointers.data(), settingPointers.data());
         ::close(ends[1]);
         output_ = ends[0];
     }
@@ -118,13 +114,20 @@ class Child {
         if (count > 0) text.append(bytes.data(), static_cast<std::size_t>(count));
         return count > 0 || (count < 0 && errno == EINTR);
     }
-    /// Waits for its end; whether it was a success.
-    bool finish() {
+    /// The processor's time that it has taken; none where it cannot be known.
+    std::optional<std::chrono::nanoseconds> timeTaken() const {
+        clockid_t clock{};
+        timespec time{};
+        if (::clock_getcpuclockid(process_, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return {};
+        return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+    }
+    /// Waits for its end and gives the status: 0 is a success, negative that a signal ended it.
+    int finish() {
         int status = 0;
         while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
         }
         process_ = -1;
-        return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
   private:
@@ -134,13 +137,57 @@ class Child {
         list.push_back(nullptr);
         return list;
     }
+    [[noreturn]] static void become(pid_t parent, int output, const char* home, char* const* words,
+                                    char* const* settings) {
+        // A group of its own: what a script has started is ended with it. So Ctrl+C of a terminal does not
+        // reach it, nor is it told when this program is killed: it would draw on in vain.
+        ::setpgid(0, 0);
+#if defined(__linux__)
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+        const bool orphaned = ::getppid() != parent;
+        const int nothing = ::open("/dev/null", O_RDONLY);
+        if (!orphaned && nothing >= 0 && ::dup2(nothing, 0) >= 0 && ::dup2(output, 1) >= 0 &&
+            ::dup2(output, 2) >= 0 && ::chdir(home) == 0)
+            ::execve(words[0], words, settings);
+        ::_exit(notStarted);
+    }
     void end() {
         ::kill(-process_, SIGKILL);
+        ::kill(process_, SIGKILL);  // it may not have its group yet
         finish();
     }
 
     pid_t process_ = -1;
     int output_ = -1;
+};
+
+/// Tells when a process does nothing any more: it says nothing, and takes no more of the processor than what
+/// looks at a clock now and then. POV-Ray waits for ever for a thread that memory was refused to.
+class Standstill {
+  public:
+    Standstill(const Child& child, std::chrono::milliseconds patience) : child_(child), patience_(patience) {}
+
+    /// To be asked again and again; `said` tells that there was a sign of life.
+    bool lasts(bool said) {
+        const auto now = std::chrono::steady_clock::now();
+        if (!said && now - since_ < patience_) return false;
+        const auto taken = child_.timeTaken();
+        // Where its time cannot be known it may be busy.
+        const bool idle = !said && taken && (*taken - takenThen_) * leastShare < now - since_;
+        since_ = now;
+        takenThen_ = taken.value_or(takenThen_);
+        return idle;
+    }
+
+  private:
+    /// At work it has a fiftieth of one processor at the least.
+    static constexpr int leastShare = 50;
+
+    const Child& child_;
+    std::chrono::milliseconds patience_;
+    std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+    std::chrono::nanoseconds takenThen_{0};
 };
 
 /// The last "(25%)" that POV-Ray has said, from 0 to 1; negative when there is none.
@@ -225,12 +272,16 @@ PovrayPicture drawWithPovray(const PovrayOrder& order, std::stop_token stop,
     Child child(*program, argumentsOf(order, own), own);
     if (!child.started()) return failed("POV-Ray could not be started");
     std::string output;
-    while (child.read(output)) {
+    Standstill standstill(child, order.patience);
+    for (std::size_t before = 0; child.read(output); before = output.size()) {
         if (stop.stop_requested()) return {{}, "stopped", true};
+        if (standstill.lasts(output.size() != before)) return failed("POV-Ray stands still and was ended");
         if (output.size() > 2 * keptOutput) output.erase(0, output.size() - keptOutput);
         if (const double share = shareTold(output); report && share >= 0) report(share);
     }
-    if (!child.finish()) return failed("POV-Ray: " + complaint(output, own));
+    const int status = child.finish();
+    if (status == notStarted && output.empty()) return failed("POV-Ray could not be started");
+    if (status != 0) return failed("POV-Ray: " + complaint(output, own));
     PovrayPicture picture{readPng(own / "picture.png"), {}, false};
     if (picture.image.pixels.empty()) picture.problem = "POV-Ray wrote no picture";
     return picture;

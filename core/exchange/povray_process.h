@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -23,6 +24,8 @@ struct PovrayOrder {
     int height = 0;
     std::filesystem::path folder;  ///< of the scene: its includes and images are found there; may be empty
     std::vector<std::string> options;  ///< further ones, "Declare=Size=2"
+    /// After this time without a word, or work, it is taken for dead.
+    std::chrono::milliseconds patience{30000};
 };
 
 /// What became of it.
@@ -39,8 +42,8 @@ std::string whyNotForPovray(const std::map<std::string, std::string>& writtenFil
 /// Has the installed POV-Ray draw a scene, and waits for it. It works in a temporary folder of its own, which
 /// goes at the end with all that the scene writes there, and starts no programs. What it may read and write
 /// elsewhere is what the system's povray.conf allows, which may be more than the rules given here: see
-/// whyNotForPovray(). A stop ends it within a tenth of a second. `report` is told the share that is drawn, by
-/// the calling thread.
+/// whyNotForPovray(). A stop ends it within a tenth of a second, and the end of this program ends it, too,
+/// however that comes. `report` is told the share that is drawn, by the calling thread.
 PovrayPicture drawWithPovray(const PovrayOrder& order, std::stop_token stop = {},
                              const std::function<void(double share)>& report = {});
 

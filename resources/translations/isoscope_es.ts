@@ -4113,8 +4113,8 @@
         <translation>No hay textos conservados.</translation>
     </message>
     <message>
-        <source>Texts that were never saved. Each stays here until it is saved or discarded, %1 days at most.</source>
-        <translation>Textos que nunca se guardaron. Cada uno queda aquí hasta que se guarde o se descarte, %1 días como máximo.</translation>
+        <source>Texts that were never saved. Each stays here until it is saved or discarded, for %1 days at least.</source>
+        <translation>Textos que nunca se guardaron. Cada uno queda aquí hasta que se guarde o se descarte, %1 días como mínimo.</translation>
     </message>
     <message>
         <source>Never had a file</source>

@@ -4111,8 +4111,8 @@
         <translation>保管テキストはありません。</translation>
     </message>
     <message>
-        <source>Texts that were never saved. Each stays here until it is saved or discarded, %1 days at most.</source>
-        <translation>一度も保存されなかったテキストです。保存か破棄されるまで、最長 %1 日間ここに残ります。</translation>
+        <source>Texts that were never saved. Each stays here until it is saved or discarded, for %1 days at least.</source>
+        <translation>一度も保存されなかったテキストです。保存か破棄されるまで、少なくとも %1 日間ここに残ります。</translation>
     </message>
     <message>
         <source>Never had a file</source>

@@ -4115,8 +4115,8 @@
         <translation>Отложенных текстов нет.</translation>
     </message>
     <message>
-        <source>Texts that were never saved. Each stays here until it is saved or discarded, %1 days at most.</source>
-        <translation>Тексты, которые не были сохранены. Каждый остаётся здесь, пока не сохранён или отброшен, не дольше %1 дней.</translation>
+        <source>Texts that were never saved. Each stays here until it is saved or discarded, for %1 days at least.</source>
+        <translation>Тексты, которые не были сохранены. Каждый остаётся здесь, пока не сохранён или отброшен, не менее %1 дней.</translation>
     </message>
     <message>
         <source>Never had a file</source>

@@ -16,9 +16,15 @@ class ProgramTest : public QObject {
     struct Outcome {
         int status = -1;
         QString output;
+        QString errors;
     };
-    static Outcome run(const QStringList& arguments) {
+    /// `changed` are variables of the environment; those without a value are taken out.
+    static Outcome run(const QStringList& arguments, const QMap<QString, QString>& changed = {}) {
         QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        for (const auto& [name, value] : changed.asKeyValueRange())
+            value.isEmpty() ? environment.remove(name) : environment.insert(name, value);
+        process.setProcessEnvironment(environment);
         process.start(QStringLiteral(ISOSCOPE_BINARY_DIR "/isoscope"), arguments);
         if (!process.waitForFinished(120000)) {
             process.kill();
@@ -26,7 +32,11 @@ class ProgramTest : public QObject {
             return {};
         }
         return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-                QString::fromUtf8(process.readAllStandardOutput())};
+                QString::fromUtf8(process.readAllStandardOutput()),
+                QString::fromUtf8(process.readAllStandardError())};
+    }
+    static QMap<QString, QString> noDisplay() {
+        return {{"QT_QPA_PLATFORM", ""}, {"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
     }
 
   private slots:
@@ -44,6 +54,79 @@ class ProgramTest : public QObject {
         QCOMPARE(run({QStringLiteral("a.pov"), QStringLiteral("b.pov")}).status, 2);
     }
 
+    /// Qt aborts where it finds nothing to draw on, with the advice to install the program anew.
+    void theReasonIsToldWhereThereIsNoDisplay_data() {
+        QTest::addColumn<QString>("variable");
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("none") << "DISPLAY"
+                              << ""
+                              << "there is no display: neither DISPLAY nor";
+        QTest::newRow("a wrong one") << "DISPLAY"
+                                     << ":4242"
+                                     << "the display cannot be used (DISPLAY=:4242)";
+        QTest::newRow("a wrong platform") << "QT_QPA_PLATFORM"
+                                          << "none"
+                                          << "the platform \"none\"";
+    }
+
+    void theReasonIsToldWhereThereIsNoDisplay() {
+        QFETCH(QString, variable);
+        QFETCH(QString, value);
+        QFETCH(QString, told);
+        QMap<QString, QString> environment = noDisplay();
+        environment[variable] = value;
+        const Outcome outcome = run({}, environment);
+        QCOMPARE(outcome.status, 1);
+        QVERIFY2(outcome.errors.contains("isoscope: " + told), qPrintable(outcome.errors));
+        QVERIFY2(outcome.errors.contains("isoscope-cli"), qPrintable(outcome.errors));
+        const Outcome help = run({"--help"}, environment);
+        QCOMPARE(help.status, 0);
+        QVERIFY(help.output.contains("--screenshot"));
+    }
+
+    void missingFontsAreTold() {
+        const QString none = isoscope::test::writeFile(
+            folder_.path(), "fonts.conf", "<?xml version=\"1.0\"?>\n<fontconfig></fontconfig>\n");
+        const Outcome without =
+            run({"--screenshot", folder_.filePath("fonts.png"), ISOSCOPE_SOURCE_DIR "/examples/sphere.pov"},
+                {{"FONTCONFIG_FILE", none}});
+        QCOMPARE(without.status, 0);
+        QVERIFY2(without.errors.contains("isoscope: no fonts are installed"), qPrintable(without.errors));
+    }
+
+    /// The picture of the surface needs no OpenGL, and the panels that do say that there is none.
+    void theWindowWorksWithoutOpenGl() {
+        const QStringList shot{"--screenshot", folder_.filePath("opengl.png"), "--size", "1280x800",
+                               ISOSCOPE_SOURCE_DIR "/examples/sphere.pov"};
+        const Outcome without = run(shot, {{"__EGL_VENDOR_LIBRARY_DIRS", folder_.path()}});
+        QCOMPARE(without.status, 0);
+        QVERIFY(isoscope::test::distinctColors(QImage(folder_.filePath("opengl.png"))) > 500);
+        // They are not waited for.
+        QVERIFY2(!without.errors.contains("not everything is drawn"), qPrintable(without.errors));
+    }
+
+    /// Exceptions were not caught: the end looked like a crash.
+    void tooLittleMemoryIsTold() {
+        const auto within = [&](int megabytes) {
+            const QString limited =
+                QStringLiteral("ulimit -c 0; ulimit -v %1 && exec \"$0\" --screenshot \"$1\"")
+                    .arg(megabytes << 10);
+            return isoscope::test::runProgram(
+                "sh", {"-c", limited, ISOSCOPE_BINARY_DIR "/isoscope", folder_.filePath("memory.png")}, 10);
+        };
+        int refused = 0;
+        // With more, drivers of OpenGL crash by themselves; and Qt may wait for ever for a thread of its own
+        // that it could not start.
+        for (int megabytes = 150; megabytes <= 500; megabytes += 50) {
+            const isoscope::test::ProgramResult result = within(megabytes);
+            QVERIFY2(!result.errors.contains("terminate called"), result.errors.constData());
+            if (result.status == 1 && result.errors.contains("isoscope: ")) ++refused;
+        }
+        if (refused == 0) QSKIP("NOT TESTED: this build needs gigabytes of addresses");
+        qInfo("%d times", refused);
+    }
+
     void screenshotOfAFile() {
         const QString picture = folder_.filePath(QStringLiteral("window.png"));
         const Outcome shot =
@@ -51,6 +134,7 @@ class ProgramTest : public QObject {
                  QStringLiteral("1280x800"), QStringLiteral("--theme"), QStringLiteral("dark"),
                  QStringLiteral(ISOSCOPE_SOURCE_DIR "/examples/sphere.pov")});
         QVERIFY2(shot.status == 0, qPrintable(shot.output));
+        QVERIFY2(!shot.errors.contains("fonts"), qPrintable(shot.errors));
         const QImage window(picture);
         QCOMPARE(window.size(), QSize(1280, 800));
         QVERIFY(isoscope::test::distinctColors(window) > 500);

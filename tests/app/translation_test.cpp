@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QFontDatabase>
 #include <QLabel>
 #include <QMenu>
@@ -19,6 +20,7 @@
 #include "app/desktop/window/docks.h"
 #include "tests/app/cut_texts.h"
 #include "tests/app/window_driver.h"
+#include "widgets/editor/reading_bar.h"
 #include "widgets/interface_language.h"
 
 using namespace isoscope;
@@ -94,6 +96,25 @@ class TranslationTest : public QObject {
         QCOMPARE(bestInterfaceLanguage({"en-GB", "es-ES"}), QStringLiteral("en"));
         QCOMPARE(bestInterfaceLanguage({"C"}), QStringLiteral("en"));
         QCOMPARE(bestInterfaceLanguage({}), QStringLiteral("en"));
+    }
+
+    /// As the text has them: with a comma the place of the section took 0.5 for 5.
+    void numbersHaveAPointInEveryCountry() {
+        const QLocale before;
+        QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+        {
+            WindowDriver d;
+            const auto boxes = d->findChildren<QDoubleSpinBox*>();
+            QVERIFY(boxes.size() > 5);
+            for (const QDoubleSpinBox* box : boxes) {
+                QVERIFY2(box->textFromValue(0.5).contains('.'), qPrintable(box->accessibleName()));
+                QVERIFY2(box->valueFromText("0.5") == 0.5, qPrintable(box->accessibleName()));
+            }
+            ReadingBar bar;
+            bar.showProgress(1.5, 10, 0.5);
+            QVERIFY2(bar.text().contains("1.5 s"), qPrintable(bar.text()));
+        }
+        QLocale::setDefault(before);
     }
 
     void aChosenLanguageCountsFromTheNextStart() {

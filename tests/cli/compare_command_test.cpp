@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <signal.h>
+
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -8,6 +11,16 @@
 #include "tests/support/program.h"
 
 using namespace isoscope::test;
+
+namespace {
+
+/// A process that has ended has no command line, whether or not its status was asked for.
+bool runs(const QByteArray& process) {
+    QFile file("/proc/" + process + "/cmdline");
+    return file.open(QIODevice::ReadOnly) && !file.readAll().isEmpty();
+}
+
+}  // namespace
 
 class CompareCommandTest : public QObject {
     Q_OBJECT
@@ -53,6 +66,40 @@ class CompareCommandTest : public QObject {
         QCOMPARE(result.status, 1);
         QVERIFY2(result.errors.contains("outside of its folder"), result.errors.constData());
         QVERIFY(!QFile::exists(written));
+    }
+
+    /// It went on drawing in vain: a signal of the terminal, or a kill, reached the command alone.
+    void povrayEndsWithTheCommand_data() {
+        QTest::addColumn<int>("signal");
+        QTest::newRow("Ctrl+C") << SIGINT;
+        QTest::newRow("kill") << SIGTERM;
+        QTest::newRow("kill -9") << SIGKILL;
+    }
+
+    void povrayEndsWithTheCommand() {
+        QFETCH(int, signal);
+        const QString program =
+            writeFile(folder_.path(), "povray",
+                      "#!/bin/sh\necho $$ > " + folder_.filePath("id").toLocal8Bit() + "\nexec sleep 300\n");
+        QVERIFY(QFile::setPermissions(program, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+        QFile::remove(folder_.filePath("id"));
+        QProcess command;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("PATH", folder_.path() + ':' + environment.value("PATH"));
+        environment.insert("TMPDIR", folder_.path());
+        command.setProcessEnvironment(environment);
+        command.start(ISOSCOPE_BINARY_DIR "/isoscope-cli",
+                      {"compare", writeFile(folder_.path(), "ball.pov", "sphere { 0, 1 }\n")});
+        QByteArray povray;
+        const auto begun = [&] {
+            QFile file(folder_.filePath("id"));
+            if (file.open(QIODevice::ReadOnly)) povray = file.readAll();
+            return povray.endsWith('\n') && runs(povray.trimmed());
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(begun(), 30000);
+        QCOMPARE(::kill(static_cast<pid_t>(command.processId()), signal), 0);
+        QVERIFY(command.waitForFinished());
+        QTRY_VERIFY_WITH_TIMEOUT(!runs(povray.trimmed()), 30000);
     }
 };
 

@@ -113,6 +113,13 @@ class FramesCommandTest : public QObject {
         QVERIFY(changed.setFileTime(QDateTime::currentDateTime().addSecs(60), QFile::FileModificationTime));
         QCOMPARE(states(runCli(command("again/ball", {"--part", "2/7"}))), QStringList{"drawn"});
         QVERIFY(changed.setFileTime(was, QFile::FileModificationTime));
+        // The clock was set back since, so that what is older cannot be told.
+        QFile ahead(in("again/ball1.png"));
+        QVERIFY(ahead.open(QFile::ReadWrite));
+        QVERIFY(ahead.setFileTime(QDateTime::currentDateTime().addDays(1), QFile::FileModificationTime));
+        ahead.close();
+        for (const char* state : {"drawn", "kept"})
+            QCOMPARE(states(runCli(command("again/ball", {"--part", "2/7"}))), QStringList{state});
     }
 
     void theClockHasOtherEnds() {

@@ -207,6 +207,20 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY(section.bend[bendIndex(0, 0)].size() < 0.05);
     }
 
+    /// d2/dy2 sqrt(x^2 + y^2) is x^2 / sqrt(x^2 + y^2)^3.
+    void normsHaveSharpBends() {
+        const Box box{Interval{0.99, 1.01, false}, Interval{-0.01, 0.01, false}, unit};
+        const IntervalGradient circle =
+            over([](auto x, auto y,
+                    auto) { return pow(pow(abs(x), x.number(2)) + pow(abs(y), x.number(2)), x.number(0.5)); },
+                 box);
+        QVERIFY(circle.smooth && !circle.pieced);
+        const SlopeRange across = circle.bend[bendIndex(1, 1)];
+        QVERIFY2(across.low > 0.9 && across.high < 1.1,
+                 qPrintable(QString("%1 to %2").arg(across.low).arg(across.high)));
+        QVERIFY(circle.bend[bendIndex(0, 0)].size() < 0.01);
+    }
+
     /// Wherever the two parts of a section are perpendicular, its slope is that of the steeper one.
     void sectionsOfPerpendicularPartsAreNoSteeperThanThese() {
         const Box box{Interval{0.45, 0.55, false}, Interval{0.45, 0.55, false}, unit};
@@ -399,6 +413,23 @@ class IntervalGradientEvaluatorTest : public QObject {
         }
     }
 
+    /// Cells are constant, but only where there are any: behind a root they end within the box.
+    void aPatternOfWhatMayHaveNoValueIsUnknown() {
+        const auto cells = [](bool isCells, double from) {
+            FunctionGraph graph;
+            const Expression x(graph, graph.variable(0));
+            CrackleSettings settings;
+            settings.cells = isCells;
+            const NodeId root = graph.crackle(settings, sqrt(x).node(), graph.variable(1), graph.variable(2));
+            return IntervalGradientEvaluator(Tape::compile(finish(std::move(graph), {root}, 3)), {})
+                .evaluate(
+                    Box{Interval{from, 0.5, false}, Interval{0.2, 0.4, false}, Interval{0.2, 0.4, false}});
+        };
+        QVERIFY(cells(true, 0.25).bounded());
+        for (const bool isCells : {true, false})
+            QCOMPARE(cells(isCells, -0.25).hazard, GradientHazard::unknown);
+    }
+
     void distancesKeepTheirSlopeAtTheirCentre() {
         const Box box{unit, unit, unit};
         const IntervalGradient sphere =
@@ -460,6 +491,35 @@ class IntervalGradientEvaluatorTest : public QObject {
         };
         QVERIFY(over(remainder, {middle, unit, unit}).bounded());
         QVERIFY(over(remainder, {Interval{-1.2, -0.8, false}, unit, unit}).bounded());
+    }
+
+    /// Only the negative half of the axis is a cut.
+    void anAngleAwayFromItsCutIsSmooth() {
+        const auto angle = [](auto x, auto y, auto) { return atan2(y, x); };
+        for (const Box& box : {Box{Interval{1, 2, false}, Interval{-0.5, 0.5, false}, unit},
+                               Box{Interval{-2, -1, false}, Interval{0.25, 0.5, false}, unit}}) {
+            const IntervalGradient answer = over(angle, box);
+            QVERIFY(answer.bounded() && answer.smooth);
+            QVERIFY(answer.steepness < 1 + 1e-9);  // 1 / distance
+            QVERIFY(answer.value.high - answer.value.low < 1.1);
+        }
+    }
+
+    /// A remainder shows nothing of a cut where whole divisors make up the turn and the dividend has one
+    /// sign.
+    void aRemainderJumpsAtACutThatItDoesNotDivide() {
+        const Box behind{Interval{-2, -1, false}, Interval{-0.1, 0.1, false}, unit};
+        const auto remainder = [&](double turned, double divisor) {
+            return over([=](auto x, auto y, auto) { return mod(atan2(y, x) + turned, x.number(divisor)); },
+                        behind);
+        };
+        constexpr double pi = std::numbers::pi;
+        // From 4 pi to 2 pi, in the middle between the divisor's own jumps.
+        QVERIFY(remainder(3 * pi + 1, 2 * pi).bounded());
+        QVERIFY(remainder(3 * pi + 0.5, pi / 2).bounded());
+        QCOMPARE(remainder(3 * pi + 0.5, 2.5).hazard, GradientHazard::jump);
+        // From pi to -pi, where remainders have the sign of the dividend.
+        QCOMPARE(remainder(0.5, pi / 2).hazard, GradientHazard::jump);
     }
 
     void aCutThatChangesTheSignIsNoJumpForEvenFunctions() {

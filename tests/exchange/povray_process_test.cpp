@@ -98,6 +98,26 @@ class PovrayProcessTest : public QObject {
         QCOMPARE(temporaryFolders(), before);
     }
 
+    /// POV-Ray waited for ever for a thread of its own to which memory was refused. One that works without a
+    /// word is left alone.
+    void aProgramThatDoesNothingIsEnded() {
+        PovrayOrder order = orderOf(ball(4));
+        order.patience = std::chrono::milliseconds(300);
+        setPovray("echo begun >&2\nexec sleep 60\n");
+        const PovrayPicture idle = drawWithPovray(order);
+        QCOMPARE(idle.problem, std::string("POV-Ray stands still and was ended"));
+        QVERIFY(!idle.stopped && idle.image.pixels.empty());
+
+        order.patience = std::chrono::seconds(1);
+        setPovray("while :; do :; done\n");
+        std::stop_source stop;
+        std::jthread later([&] {
+            QTest::qSleep(2500);
+            stop.request_stop();
+        });
+        QVERIFY(drawWithPovray(order, stop.get_token()).stopped);
+    }
+
     void whatIsWrongIsSaid() {
         setPovray(
             "echo 'File x.pov line 3: Possible Parse Error: Suspicious' >&2\n"
@@ -107,6 +127,11 @@ class PovrayProcessTest : public QObject {
                  std::string("POV-Ray: File 'scene.pov' line 5: Parse Error: Expected operator"));
         setPovray("exit 0\n");
         QCOMPARE(drawWithPovray(orderOf(ball(4))).problem, std::string("POV-Ray wrote no picture"));
+        QFile program(folder_.filePath("povray"));
+        QVERIFY(program.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        program.write("#!/no/such/shell\n");
+        program.close();
+        QCOMPARE(drawWithPovray(orderOf(ball(4))).problem, std::string("POV-Ray could not be started"));
         qputenv("PATH", folder_.filePath("nothing").toLocal8Bit());
         QVERIFY(!povrayProgram());
         QVERIFY(drawWithPovray(orderOf(ball(4))).problem.starts_with("POV-Ray is not installed"));

@@ -208,6 +208,37 @@ class CrackleCandidatesTest : public QObject {
         }
     }
 
+    /// Nor does another place that was asked for just before, whichever of the coordinates they share.
+    void otherPlacesChangeNothing() {
+        struct List {
+            std::size_t always = 0;
+            std::vector<double> points;
+            bool operator==(const List&) const = default;
+        };
+        const auto ask = [](const Point& center) {
+            List list;
+            if (const CrackleCandidates* found = crackleCandidates({center, 0.25}, 2, 2)) {
+                list.always = found->always;
+                for (const auto* axis : {&found->x, &found->y, &found->z})
+                    list.points.insert(list.points.end(), axis->begin(), axis->begin() + found->count);
+            }
+            return list;
+        };
+        constexpr int side = 5;
+        std::vector<Point> centers;
+        for (int i = 0; i < side * side * side; ++i)
+            centers.push_back(
+                {i % side * 0.5 - 0.75, i / side % side * 0.5 - 0.75, i / side / side * 0.5 - 0.75});
+        std::vector<List> alone(centers.size());
+        for (std::size_t i = 0; i < centers.size(); ++i)
+            std::thread([&] { alone[i] = ask(centers[i]); }).join();
+        for (const Point& before : centers)
+            for (std::size_t i = 0; i < centers.size(); ++i) {
+                ask(before);
+                QVERIFY(ask(centers[i]) == alone[i]);
+            }
+    }
+
     void limitsAreKept() {
         const auto known = [](double at, double reach, double metric) {
             return crackleCandidates({{at, 0.5, 0.5}, reach}, metric, 1) != nullptr &&

@@ -144,6 +144,37 @@ class CrackleTest : public QObject {
         QCOMPARE(square.points, nearly.points);
     }
 
+    /// What is out of sight is two cells away along two axes: where a cell is said to see enough, each place
+    /// of it, corners and edges too, has enough points that are nearer.
+    void cellsThatSeeEnoughHaveNearPointsEverywhere() {
+        constexpr int side = 12, steps = 8;
+        for (const double metric : {1.0, 2.0}) {
+            const double limit = std::pow(2, 1 / metric);
+            int said = 0;
+            for (int n = 0; n < side * side * side; ++n) {
+                const std::array<std::int64_t, 3> cell{n % side, n / side % side, n / side / side};
+                if (!crackleSeesEnough({cell, cell}, metric, 3)) continue;
+                ++said;
+                std::array<std::array<double, 3>, 27> points;
+                for (int k = 0; k < 27; ++k)
+                    points[k] =
+                        cracklePoint(cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1);
+                for (int place = 0; place < (steps + 1) * (steps + 1) * (steps + 1); ++place) {
+                    const std::array<double, 3> p{
+                        double(cell[0]) + place % (steps + 1) / double(steps),
+                        double(cell[1]) + place / (steps + 1) % (steps + 1) / double(steps),
+                        double(cell[2]) + place / (steps + 1) / (steps + 1) / double(steps)};
+                    int near = 0;
+                    for (const auto& point : points)
+                        near += crackleNorm(std::abs(p[0] - point[0]), std::abs(p[1] - point[1]),
+                                            std::abs(p[2] - point[2]), metric) < limit;
+                    QVERIFY(near >= 3);
+                }
+            }
+            qInfo("metric %g: %d of %d cells", metric, said, side * side * side);
+        }
+    }
+
     /// Where the 81 cells are said to suffice, no cell further away holds a nearer point.
     void cellsThatSeeEnoughMissNothing() {
         constexpr unsigned seed = 4712;

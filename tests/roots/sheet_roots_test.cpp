@@ -114,6 +114,18 @@ class SheetRootsTest : public QObject {
         QCOMPARE(sheet.size(), std::size_t{0});
     }
 
+    /// The sign changes once for all three, but not where the line meets the first of them.
+    void threeSheetsAtOnePlaceAreLeftToOthers() {
+        std::mt19937_64 random(seed);
+        const auto sheets = tapeOf([](auto x, auto y, auto z) {
+            const auto s = sq(x) + sq(y) + sq(z) - 1;
+            return s * (sq(s) - 1e-12);
+        });
+        const Found sheet(sheets, test::neighbourLines(random, 0.1));
+        QVERIFY(sheet.marched > 0);
+        QCOMPARE(sheet.size(), std::size_t{0});
+    }
+
     void linesThatBeginBehindTheSurfaceAreLeftToOthers() {
         std::mt19937_64 random(seed);
         std::vector<LineQuery> lines = test::neighbourLines(random, 0.1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/image_pixels.h"
+#include "tests/support/small_disk.h"
 #include "widgets/charts/chart_file.h"
 
 #include <cmath>
@@ -103,6 +104,24 @@ class ChartFileTest : public QObject {
         QVERIFY(!saveCharts(sheetOf(1), folder.filePath(QStringLiteral("a.bmp"))));
         QVERIFY(!saveCharts(sheetOf(0), folder.filePath(QStringLiteral("a.svg"))));
         QVERIFY(!saveText(QStringLiteral("x"), folder.filePath(QStringLiteral("no/such.csv"))));
+    }
+
+    /// Sections and sheets were written straight into the file that was there before.
+    void aFullDiskLeavesWhatWasThere() {
+        const SmallDisk disk;
+        if (!disk.mounted()) QSKIP("a file system can be mounted by root only");
+        const QString path = disk.path(QStringLiteral("picture.png"));
+        QImage picture(60, 40, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        QVERIFY(savePicture(picture, path));
+        QCOMPARE(QImage(path).pixelColor(5, 5), QColor(Qt::red));
+        disk.fill();
+        picture.fill(Qt::blue);
+        QVERIFY(!savePicture(picture, path));
+        QCOMPARE(QImage(path).pixelColor(5, 5), QColor(Qt::red));
+        disk.empty();
+        QVERIFY(savePicture(picture, path));
+        QCOMPARE(QImage(path).pixelColor(5, 5), QColor(Qt::blue));
     }
 
     void theTableHasAllPoints() {

@@ -45,6 +45,14 @@ class RecoveryStoreTest : public QObject {
     RecoveryStore::Snapshot text(const QString& text) const {
         return [text] { return snapshot(text); };
     }
+    /// The next start of the program.
+    void start() const { RecoveryStore store(text(""), folder_->path()); }
+    void age(const QString& name, int days) const {
+        QFile file(folder_->filePath(name));
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QVERIFY(
+            file.setFileTime(QDateTime::currentDateTime().addDays(-days), QFileDevice::FileModificationTime));
+    }
 
   private slots:
     void init() { folder_ = std::make_unique<QTemporaryDir>(); }
@@ -141,20 +149,43 @@ class RecoveryStoreTest : public QObject {
             store.textChanged();
             store.flush();
         }
-        QFile file(folder_->filePath(copies().first()));
-        QVERIFY(file.open(QIODevice::ReadWrite));
-        const auto age = [&file](int days) {
-            return file.setFileTime(QDateTime::currentDateTime().addDays(-days),
-                                    QFileDevice::FileModificationTime);
-        };
-        QVERIFY(age(RecoveryStore::keptDays - 1));
-        { RecoveryStore store(text(""), folder_->path()); }
+        // Offered first, and again two days later.
+        start();
+        age("offered", 2);
+        age(copies().first(), RecoveryStore::keptDays + 1);
+        start();
         QCOMPARE(copies().size(), 1);
-        QVERIFY(age(RecoveryStore::keptDays + 1));
-        file.close();
-        { RecoveryStore store(text(""), folder_->path()); }
+        age("offered", 2);
+        age(copies().first(), RecoveryStore::keptDays + 3);
+        start();
         QVERIFY(copies().isEmpty());
+        start();
         QVERIFY(QDir(folder_->path()).isEmpty());
+    }
+
+    /// After a month's absence, or with a clock that went wrong, the text was taken away at the start that
+    /// was to offer it.
+    void anOldCopyIsOfferedForADay() {
+        {
+            RecoveryStore store(text("old"), folder_->path());
+            store.textChanged();
+            store.flush();
+        }
+        age(copies().first(), 400);
+        for (int i = 0; i < 3; ++i) start();
+        QCOMPARE(RecoveryStore(text(""), folder_->path()).abandoned().size(), 1u);
+        // Started last by a clock that was a year ahead.
+        age("offered", -365);
+        for (int i = 0; i < 3; ++i) start();
+        QCOMPARE(copies().size(), 1);
+        // The clock is ahead now: all is old, and was never offered at a time like that.
+        age(copies().first(), 4000);
+        age("offered", 4000);
+        for (int i = 0; i < 3; ++i) start();
+        QCOMPARE(copies().size(), 1);
+        age("offered", 2);
+        start();
+        QVERIFY(copies().isEmpty());
     }
 
     void aDamagedCopyIsNoText() {

@@ -80,6 +80,12 @@ QString chartTable(const Chart& chart) {
     return QString::fromStdString(text);
 }
 
+bool savePicture(const QImage& picture, const QString& path) {
+    QBuffer file;
+    file.open(QIODevice::WriteOnly);
+    return picture.save(&file, "PNG") && saveBytes(file.data(), path);
+}
+
 bool saveText(const QString& text, const QString& path) { return saveBytes(text.toUtf8(), path); }
 
 }  // namespace isoscope

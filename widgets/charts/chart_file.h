@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QFont>
+#include <QImage>
 #include <QList>
 #include <QPalette>
 #include <QSize>
@@ -26,7 +27,8 @@ bool saveCharts(const ChartSheet& sheet, const QString& path);
 /// The points of a chart as comma separated values: series, x, y.
 QString chartTable(const Chart& chart);
 
-/// Writes text to a file in one go; false when that fails.
+/// Writes a PNG, or text, to a file in one go; false when that fails, and what was there stays.
+bool savePicture(const QImage& picture, const QString& path);
 bool saveText(const QString& text, const QString& path);
 
 }  // namespace isoscope

@@ -28,8 +28,12 @@ void FileWatch::renew() {
     const QStringList old = watcher_.files() + watcher_.directories();
     if (!old.isEmpty()) watcher_.removePaths(old);
     if (path_.isEmpty()) return;
-    // Without the folder a removed file would never come back.
-    QStringList paths{QFileInfo(path_).path()};
+    // Without the folder a removed file would never come back, nor a removed folder without the one around
+    // it.
+    QString folder = QFileInfo(path_).path();
+    while (!QFileInfo::exists(folder) && QFileInfo(folder).path() != folder)
+        folder = QFileInfo(folder).path();
+    QStringList paths{folder};
     if (QFileInfo::exists(path_)) paths << path_;
     watcher_.addPaths(paths);
 }

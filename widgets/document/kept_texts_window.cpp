@@ -103,7 +103,7 @@ void KeptTextsWindow::setTexts(std::vector<UnsavedText> texts) {
                        QLocale().toString(text.saved.toLocalTime(), QLocale::ShortFormat));
     summary_->setText(count() == 0 ? tr("There are no kept texts.")
                                    : tr("Texts that were never saved. Each stays here until it is saved or "
-                                        "discarded, %1 days at most.")
+                                        "discarded, for %1 days at least.")
                                          .arg(RecoveryStore::keptDays));
     list_->setCurrentRow(std::clamp(row, 0, std::max(0, count() - 1)));
     showPreview();

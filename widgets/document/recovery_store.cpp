@@ -160,10 +160,25 @@ std::optional<UnsavedText> RecoveryStore::read(const QString& id) const {
     return text;
 }
 
+/// When the copies that are there now were first offered, at an earlier start that is a day ago at least;
+/// none where there was no such start. Whoever comes back after months, or whose clock was wrong, is offered
+/// a text before it is old.
+QDateTime RecoveryStore::beginOffer() const {
+    QFile stamp(folder_ + "/offered");
+    const QDateTime now = QDateTime::currentDateTimeUtc(), before = QFileInfo(stamp).lastModified();
+    if (before.isValid() && before <= now && before.addDays(1) > now) return {};
+    if (stamp.open(QIODevice::WriteOnly)) stamp.setFileTime(now, QFileDevice::FileModificationTime);
+    return before.isValid() && before <= now ? before : QDateTime();
+}
+
 void RecoveryStore::removeOld() const {
-    const QDateTime oldest = QDateTime::currentDateTimeUtc().addDays(-keptDays);
+    if (QDir(folder_).entryList({"*.json", "*.json.lock"}, QDir::Files).isEmpty()) {
+        QFile::remove(folder_ + "/offered");
+        return;
+    }
+    const QDateTime offered = beginOffer();
     for (const QFileInfo& file : QDir(folder_).entryInfoList({"*.json"}, QDir::Files)) {
-        if (file.lastModified() >= oldest) continue;
+        if (!offered.isValid() || file.lastModified() >= offered.addDays(-keptDays)) continue;
         const auto lock = lockFor(file.absoluteFilePath());
         if (tryLock(*lock)) QFile::remove(file.absoluteFilePath());
     }

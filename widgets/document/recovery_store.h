@@ -25,7 +25,7 @@ struct UnsavedText {
 /// Keeps a copy of the unsaved text in the application's data folder, one file per running instance guarded
 /// by a lock, so that a crash or a kill loses at most two seconds of typing; other users may not read it.
 /// Nothing is ever restored by itself: the next start asks abandoned() and offers it. A copy is removed only
-/// by markSaved(), discard() or, thirty days old, by cleaning.
+/// by markSaved(), discard() or, thirty days old, by cleaning, never before it was offered for a day.
 class RecoveryStore : public QObject {
     Q_OBJECT
   public:
@@ -73,6 +73,7 @@ class RecoveryStore : public QObject {
     bool write(const UnsavedText& text);
     std::optional<UnsavedText> read(const QString& id) const;
     void removeOld() const;
+    QDateTime beginOffer() const;
 
     Snapshot snapshot_;
     QString folder_;

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 
@@ -41,7 +40,7 @@ ReadingBar::ReadingBar(QWidget* parent) : QFrame(parent) {
 
 void ReadingBar::showProgress(double seconds, qulonglong steps, double share) {
     text_->setText(
-        tr("Reading the text: %1 s, %2 steps").arg(QLocale().toString(seconds, 'f', 1), shortCount(steps)));
+        tr("Reading the text: %1 s, %2 steps").arg(QString::number(seconds, 'f', 1), shortCount(steps)));
     share_->setValue(static_cast<int>(std::lround(100 * share)));
     show();
 }

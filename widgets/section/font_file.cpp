@@ -27,4 +27,10 @@ QString fontFile(const QString& family) {
     return QFileInfo(path).isReadable() ? path : QString();
 }
 
+bool hasFonts() {
+    for (const FcSetName set : {FcSetSystem, FcSetApplication})
+        if (const FcFontSet* fonts = FcConfigGetFonts(nullptr, set); fonts && fonts->nfont > 0) return true;
+    return false;
+}
+
 }  // namespace isoscope

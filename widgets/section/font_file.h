@@ -9,4 +9,7 @@ namespace isoscope {
 /// when there is none, or when the font is not the first of its file.
 QString fontFile(const QString& family);
 
+/// Whether there is any font at all. Qt cannot tell: it has families even then, and draws boxes.
+bool hasFonts();
+
 }  // namespace isoscope

@@ -74,6 +74,7 @@ QWidget* SectionControls::buildPlaneRow() {
     slider_->setAccessibleName(tr("Position of the plane"));
     row->addWidget(slider_, 1);
     spin_ = new QDoubleSpinBox;
+    spin_->setLocale(QLocale::c());
     spin_->setAccessibleName(tr("Position of the plane as a number"));
     row->addWidget(spin_);
     connect(slider_, &QSlider::valueChanged, this,
@@ -180,6 +181,7 @@ QToolButton* SectionControls::toggle(const QString& text, const QString& toolTip
 QDoubleSpinBox* SectionControls::angleBox(const QString& prefix, const QString& toolTip,
                                           const QString& name) {
     auto* box = new QDoubleSpinBox;
+    box->setLocale(QLocale::c());
     box->setDecimals(1);
     box->setSingleStep(5);
     box->setPrefix(prefix);

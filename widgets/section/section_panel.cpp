@@ -15,6 +15,7 @@
 
 #include "core/study/view/point_probe.h"
 #include "core/study/view/surface_distance.h"
+#include "widgets/charts/chart_file.h"
 #include "widgets/charts/chart_saver.h"
 #include "widgets/charts/chart_view.h"
 #include "widgets/document/save_path.h"
@@ -398,7 +399,7 @@ void SectionPanel::save(bool picture) {
     if (path.isEmpty()) return;
     bool written = false;
     if (picture)
-        written = view_->parentWidget()->grab().save(path, "PNG");
+        written = savePicture(view_->parentWidget()->grab().toImage(), path);
     else
         written = saveText(table(), path);
     emit said(written ? tr("Saved %1.").arg(path) : tr("%1 cannot be written.").arg(path));

@@ -206,7 +206,10 @@ void VtkPanel::draw() {
     if (size.isEmpty()) return;
     makeWindow();
     if (!started()) start();
-    if (!context_->makeCurrent()) return;
+    if (!context_->makeCurrent()) {
+        settled_ = true;  // there is nothing to wait for
+        return;
+    }
     drawing_ = true;
     window_->SetSize(size.width(), size.height());
     interactor_->SetSize(size.width(), size.height());

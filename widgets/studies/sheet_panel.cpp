@@ -17,6 +17,7 @@
 #include "core/exchange/png.h"
 #include "core/study/sweep/parameter_sweep.h"
 #include "widgets/background_priority.h"
+#include "widgets/charts/chart_file.h"
 #include "widgets/document/save_path.h"
 #include "widgets/either_stop.h"
 #include "widgets/numbers/number_box.h"
@@ -296,7 +297,7 @@ void SheetPanel::choose(QPoint pixel) {
     emit valuesRequested(values);
 }
 
-bool SheetPanel::saveTo(const QString& path) const { return image_.save(path, "PNG"); }
+bool SheetPanel::saveTo(const QString& path) const { return savePicture(image_, path); }
 
 void SheetPanel::save() {
     const QString path =

@@ -169,6 +169,30 @@ class DocumentTrustTest : public QObject {
         QVERIFY(!d().window().isWindowModified());
     }
 
+    /// As where a disk is taken out, and put back.
+    void aVanishedFolderLosesNothing() {
+        open();
+        type();
+        const QByteArray mine = inEditor();
+        const QString folder = QFileInfo(path()).path();
+        QVERIFY(QDir(folder).removeRecursively());
+        QTRY_VERIFY(says("is no longer there"));
+        press("Write It Again");
+        QVERIFY2(says("No such file or directory"), qPrintable(bar()->text()));
+        QVERIFY(d().window().isWindowModified());
+        QCOMPARE(inEditor(), mine);
+        QVERIFY(QDir().mkpath(folder));
+        change("// theirs\n");
+        QTRY_VERIFY2(says("so did you"), qPrintable(bar()->text()));
+        QVERIFY(!d()->documents()->save());
+        QCOMPARE(onDisk(), QByteArray("// theirs\n"));
+        press("Save Mine");
+        QCOMPARE(onDisk(), mine);
+        // It is watched again.
+        change("// later\n");
+        QTRY_VERIFY(says("Another program changed scene.pov"));
+    }
+
     void closingAsksOnce_D4_data() {
         QTest::addColumn<QString>("answer");
         QTest::addColumn<bool>("closes");
