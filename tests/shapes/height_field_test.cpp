@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/patches/height_field.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include "core/language/parse.h"
 
 using namespace isoscope;
 
@@ -116,6 +121,39 @@ class HeightFieldTest : public QObject {
                 if (kind == 3) QVERIFY(std::abs(height - 257 * red) <= 3 * 257);
                 if (kind == 4) QVERIFY(std::abs(height - 256 * red) <= 4 * 256 + 255);
             }
+    }
+
+    /// Of POV-Ray's trace(): it makes colours of the grey values of 8-bit PNG images, and of some a
+    /// brightness just below them. Of other images each grey keeps its value.
+    void greysOfPngImagesLoseStepsAsInPovray() {
+        const QString converter = QStandardPaths::findExecutable("convert");
+        if (converter.isEmpty()) QSKIP("ImageMagick's convert, which makes the images, is not installed");
+        constexpr std::array greys{1, 3, 4, 5, 20, 64, 100, 120, 128, 200, 201, 254};
+        constexpr std::array inPovray{1, 2, 4, 4, 19, 64, 99, 120, 128, 199, 201, 253};
+        QByteArray image = "P2 " + QByteArray::number(int(greys.size())) + " 2 255\n";
+        for (int row = 0; row < 2; ++row)
+            for (const int grey : greys) image += QByteArray::number(grey) + ' ';
+        const QTemporaryDir folder;
+        write(folder.filePath("grey.pgm"), image);
+        QCOMPARE(QProcess::execute(converter, {folder.filePath("grey.pgm"), folder.filePath("grey.png")}), 0);
+        for (const auto& [statement, heights] :
+             {std::pair{"png \"grey.png\"", inPovray}, std::pair{"pgm \"grey.pgm\"", greys}}) {
+            ParseOptions options;
+            options.file = folder.filePath("scene.pov").toStdString();
+            const ParseResult parsed = parseScene(std::string("height_field { ") + statement + " }", options);
+            QVERIFY(parsed.ok() && parsed.scene->objects.size() == 1);
+            for (std::size_t i = 0; i < greys.size(); ++i) {
+                const double x = static_cast<double>(i) / (greys.size() - 1);
+                const Ray ray{{std::clamp(x, 1e-9, 1 - 1e-9), 2, 0.5}, {0, -1, 0}};
+                TraceContext context;
+                NearestHit hit;
+                parsed.scene->objects[0].shape->nearest({&ray, 1}, context, {&hit, 1});
+                QVERIFY(hit.found);
+                const double height = 65536 * hit.hit.point.y;
+                QVERIFY2(std::abs(height - 257 * heights[i]) < 1,
+                         qPrintable(QString("%1: %2").arg(greys[i]).arg(height / 257)));
+            }
+        }
     }
 
     void palettesCountByIndex() {
