@@ -550,19 +550,21 @@ class AffineRangeAlgebra : public AffineAlgebra {
     using AffineAlgebra::multiply;
     HWY_INLINE Number multiply(const Number& p, const Number& q) const {
         const Number product = productOf(p, q);
-        if (HWY_LIKELY(hn::AllFalse(Doubles(), hn::Or(isWide(p), isWide(q))))) return product;
+        const Mask wide = hn::Or(isWide(p), isWide(q));
+        if (HWY_LIKELY(hn::AllFalse(Doubles(), wide))) return product;
         const VectorRange x = rangeOf(p), y = rangeOf(q);
         const Vector ll = hn::Mul(x.low, y.low), lh = hn::Mul(x.low, y.high);
         const Vector hl = hn::Mul(x.high, y.low), hh = hn::Mul(x.high, y.high);
-        return within(product, hn::Min(hn::Min(ll, lh), hn::Min(hl, hh)),
+        return within(wide, product, hn::Min(hn::Min(ll, lh), hn::Min(hl, hh)),
                       hn::Max(hn::Max(ll, lh), hn::Max(hl, hh)));
     }
     HWY_INLINE Number square(const Number& p) const {
         const Number square = squareOf(p);
-        if (HWY_LIKELY(hn::AllFalse(Doubles(), isWide(p)))) return square;
+        const Mask wide = isWide(p);
+        if (HWY_LIKELY(hn::AllFalse(Doubles(), wide))) return square;
         const Vector radius = radiusOf(p), middle = hn::Abs(p.a);
         const Vector least = hn::Max(hn::Sub(middle, radius), zeroVector()), most = hn::Add(middle, radius);
-        return within(square, hn::Mul(least, least), hn::Mul(most, most));
+        return within(wide, square, hn::Mul(least, least), hn::Mul(most, most));
     }
 
   private:
@@ -570,11 +572,12 @@ class AffineRangeAlgebra : public AffineAlgebra {
     /// its form.
     static HWY_INLINE Mask isWide(const Number& p) { return hn::Gt(p.e, half(hn::Abs(p.a))); }
 
-    /// A known product, or [low, high] where its error alone leaves open more.
-    static HWY_INLINE Number within(const Number& product, Vector low, Vector high) {
+    /// A product, or in known lanes of `wide` [low, high] where its error alone leaves open more.
+    static HWY_INLINE Number within(Mask wide, const Number& product, Vector low, Vector high) {
         const Vector room = constantVector(underflow);
         const Number range = betweenNumber(hn::Sub(low, room), hn::Add(high, room));
-        return chooseNumber(hn::And(isKnown(product), hn::Lt(range.e, product.e)), range, product);
+        const Mask better = hn::And(isKnown(product), hn::Lt(range.e, product.e));
+        return chooseNumber(hn::And(wide, better), range, product);
     }
 };
 

@@ -61,9 +61,9 @@ class Tape {
     const TapeLoop& loop(std::uint32_t index) const { return loops_[index]; }
     std::span<const TapeLoop> loops() const { return loops_; }
 
-    /// Whether a product or a square is of what comes from operations with a range of their own (noise, sine,
-    /// min, steps): over long pieces little more is known of these than the range, so that the range of their
-    /// product says more than what its form does.
+    /// Whether a product or a square is of what comes from operations with a range of their own (noise,
+    /// angles, fractions): over long pieces little more is known of these than the range, so that the range
+    /// of their product says more than what its form does.
     bool multipliesRanges() const { return multipliesRanges_; }
 
     /// Values of the uniform slots, in slot order, for a parameter table (missing slots count as 0).

@@ -34,11 +34,7 @@ Choice decidedEverywhere(Operation operation, const Interval& p, const Interval&
         case Operation::minimum:
         case Operation::maximum: {
             if (!q.isDefined()) return Choice::open;
-            // Where they come near each other, a form of the one can lie beyond the other: the choice holds
-            // it back.
-            const double width = std::max(p.high - p.low, q.high - q.low);
-            const double apart = std::isfinite(width) ? width / 2 : 0;
-            const bool below = p.high + apart <= q.low, above = q.high + apart <= p.low;
+            const bool below = p.high <= q.low, above = q.high <= p.low;
             if (!below && !above) return Choice::open;
             return below == (operation == Operation::minimum) ? Choice::first : Choice::second;
         }

@@ -13,23 +13,14 @@ constexpr Slot noSlot = std::numeric_limits<Slot>::max();
 
 bool isLoop(Operation operation) { return operation == Operation::sum || operation == Operation::product; }
 
-/// Whether an operation keeps its values within limits of its own, whatever its operands do, or as far as it
-/// chooses one of them.
+/// Whether an operation keeps its values within limits of its own and comes from one to the other again and
+/// again, or all at once. (Sines do so, too, but pieces are hardly ever as long as their waves.)
 bool hasRange(Operation operation) {
     switch (operation) {
-        case Operation::sine:
-        case Operation::cosine:
-        case Operation::arcSine:
-        case Operation::arcCosine:
-        case Operation::arcTangent:
         case Operation::arcTangent2:
-        case Operation::hyperbolicTangent:
         case Operation::fraction:
         case Operation::triangleWave:
-        case Operation::cycle:
         case Operation::remainder:
-        case Operation::minimum:
-        case Operation::maximum:
         case Operation::noise:
         case Operation::noiseGradientX:
         case Operation::noiseGradientY:
