@@ -19,9 +19,9 @@ namespace isoscope {
 /// threshold, there is no root; else the piece is free up to the first part that is not, and where the parts
 /// before it and behind it are on opposite sides, and meet within 1/64 of the resolution, the function jumps
 /// through the threshold there (MarchEvent::jump). Parts shorter than 32 units of t, the grain of
-/// GeneralSearch, are left out: where two jumps are at one place, as the steps of a brick and of its row are,
-/// they hold what neither side has. Where the parts tell nothing, the piece ends where the first jump may be,
-/// so that a jump costs a few steps and no bisection.
+/// GeneralSearch, are not enclosed: where two jumps are at one place, as the steps of a brick and of its row
+/// are, they hold what neither side has. Where they are, no sign is known. Where the parts tell nothing, the
+/// piece ends where the first jump may be, so that a jump costs a few steps and no bisection.
 class CaseMarch {
   public:
     /// Enclosures by cases of one piece; of the shortest pieces, which cannot be cut, it may have more.
@@ -72,7 +72,7 @@ class CaseMarch {
         std::size_t owner;
         double start, end;
         int sign;
-        bool isShort = false;
+        bool isShort = false;  ///< shorter than the grain: the sign is not known
     };
 
     void collect(const RayPieces& pieces, const MarchLanes& lanes, const SignRule& rule, std::size_t count);
