@@ -353,7 +353,12 @@ void SceneEditor::onModified(int position, int type, int length) {
     ++revision_;
     if (rewriting_) return;
     if (type & SC_MOD_INSERTTEXT) numberMarks_->inserted(position, length);
-    if (type & SC_MOD_DELETETEXT) numberMarks_->removed(position, length);
+    if (type & SC_MOD_DELETETEXT) {
+        numberMarks_->removed(position, length);
+        // Scintilla ends a call tip by keys alone, not where its call is undone, cut or replaced.
+        if (isCallTipActive() && position < SendScintilla(SCI_CALLTIPPOSSTART))
+            SendScintilla(SCI_CALLTIPCANCEL);
+    }
     emit textEdited();
 }
 

@@ -445,6 +445,21 @@ class SceneEditorTest : public QObject {
         QTRY_VERIFY(editor_->isListActive());
     }
 
+    /// A bug once: it stayed over the text when the call was undone, or all was deleted.
+    void aCallTipEndsWithItsCall() {
+        type(editor_.get(), "x");
+        type(editor_.get(), "+floor(");
+        QVERIFY(editor_->isCallTipActive());
+        editor_->undo();
+        QVERIFY(editor_->sceneText().isEmpty());
+        QVERIFY(!editor_->isCallTipActive());
+        type(editor_.get(), "x+floor(y ");
+        QVERIFY(editor_->isCallTipActive());
+        editor_->selectAll();
+        editor_->removeSelectedText();
+        QVERIFY(!editor_->isCallTipActive());
+    }
+
     /// A bug once: the list stayed over the text when all of that was selected, and deleted.
     void selectingEndsTheList() {
         editor_->setNames({"MyRadius", "MyRadial"});
