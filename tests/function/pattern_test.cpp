@@ -342,6 +342,30 @@ class PatternTest : public QObject {
         }
     }
 
+    /// By POV-Ray, on the plane x = 0 and beside it, where its arcsine loses digits.
+    void spiralsBeginAtTheNegativeAxis() {
+        struct Row {
+            double x, y, z, spiral1, spiral2, tolerance;
+        };
+        const Row rows[] = {
+            {0, -1, 0, 0, 0, 1e-14},
+            {0, 1, 0, 2e-5, 0, 1e-14},
+            {0, -0.5, 0.1, 0.8, 0.40002, 1e-14},
+            {0, 0.5, 0.1, 0.80002, 0.40002, 1e-14},
+            {-1e-9, -0.5, 0.1, 0.80004, 0.40002, 3e-9},
+            {1e-5, 0.7, 0.2, 0.200029094420547, 0.399981811444621, 1e-11},
+            {-1e-5, -0.7, 0.2, 0.200049094420547, 0.399981811444621, 1e-11},
+            {0, 0, 0.3, 0.6, 0.8, 1e-14},
+        };
+        for (const Row& row : rows)
+            for (const auto& [name, value] :
+                 {std::pair{"f_spiral1", row.spiral1}, std::pair{"f_spiral2", row.spiral2}}) {
+                const double got = valueAt(builtinFunction(*findBuiltin(name), 2), row.x, row.y, row.z);
+                QVERIFY2(std::abs(got - value) < row.tolerance,
+                         qPrintable(QString("%1 at %2, %3: %4").arg(name).arg(row.x).arg(row.y).arg(got)));
+            }
+    }
+
     void exactlyOneSurvivesTheModulus() {
         const Function gradient = builtinFunction(*findBuiltin("f_gradientX"), 2);
         QCOMPARE(valueAt(gradient, 1, 0, 0), 1.0);

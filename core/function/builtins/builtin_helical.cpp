@@ -62,12 +62,10 @@ Expression spiral(const BuiltinCall& call) {
     const Expression along = rho + p[0] * atan2(z, x) / (2 * pi), middle = p[0] * 0.5;
     // How far it is to the winding, |mod(along, p0) - p0 / 2|; the sign does not matter to the cross section.
     // `along` is not below -p0 / 2, and where it is negative, so is the remainder: it goes on as it is there.
-    // So nothing jumps from one winding to the next.
+    // So only the half winding around the axis jumps, at the cut of the angle.
     const Expression away = max(middle - along, offMiddle(along, p[0]));
-    const Expression a = constantOr(p[0], 0) > 0 ? away : [&] {
-        const Expression stepped = abs(mod(along, p[0]) - middle);
-        return select(p[0], stepped, stepped, away);
-    }();
+    const Expression stepped = abs(mod(along, p[0]) - middle);
+    const Expression a = constantOr(p[0], 0) > 0 ? away : select(p[0], stepped, stepped, away);
     const Expression d = crossSection(p[5], a, y);
     const Expression r = length(x, y, z);
     return -lesser(p[2] - r, p[1] - lesser(d, r));
