@@ -198,9 +198,9 @@ class ProofChainTest : public QObject {
         QCOMPARE(counts.verdicts[Verdict::certifiedHit], 1);
     }
 
-    /// A bug once: near t = 0 the places where two jumps are one were taken for more exact than points are,
-    /// and what neither side has was told as two roots, 4e-15 apart.
-    void jumpsAtOnePlaceNearTheOriginAreNoRoots() {
+    /// A bug once: parts too short to be looked at were taken for parts that are not there, and what neither
+    /// side of two jumps at one place has was told as two roots, 4e-15 apart.
+    void partsThatAreLeftOutTellNoSign() {
         const ParsedFunction parsed =
             parseFunction("floor(mod(mod(z,-0.010949453909553026),-0.010949453909553026))");
         const LineQuery line{{-1.2463851663396737, -0.98355888153129234, 1.4249026396334905},

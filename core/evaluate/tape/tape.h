@@ -63,7 +63,8 @@ class Tape {
 
     /// Whether a product or a square is of what comes from operations with a range of their own (noise,
     /// angles, fractions): over long pieces little more is known of these than the range, so that the range
-    /// of their product says more than what its form does.
+    /// of their product says more than what its form does. True for tapes with loops, of which it is not
+    /// asked.
     bool multipliesRanges() const { return multipliesRanges_; }
 
     /// Values of the uniform slots, in slot order, for a parameter table (missing slots count as 0).
