@@ -2,7 +2,6 @@
 #include "widgets/document/history_store.h"
 
 #include <QCryptographicHash>
-#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QStandardPaths>
@@ -71,10 +70,8 @@ std::optional<QByteArray> HistoryStore::find(const QString& name, const QString&
 }
 
 void HistoryStore::removeOld() const {
-    const QDateTime oldest = QDateTime::currentDateTimeUtc().addDays(-keptDays);
-    int count = 0;
-    for (const QFileInfo& file : QDir(folder_).entryInfoList({"*.steps"}, QDir::Files, QDir::Time))
-        if (++count > mostFiles || file.lastModified() < oldest) QFile::remove(file.absoluteFilePath());
+    const QStringList newestFirst = QDir(folder_).entryList({"*.steps"}, QDir::Files, QDir::Time);
+    for (const QString& file : newestFirst.mid(mostFiles)) QFile::remove(folder_ + '/' + file);
 }
 
 }  // namespace isoscope

@@ -11,11 +11,10 @@ namespace isoscope {
 /// them. A history is found again by the text that it leads to, so that it never meets another text.
 class HistoryStore {
   public:
-    /// `folder` empty means "history" in the application's data folder. Histories that are old, or beyond
-    /// `mostFiles`, are removed.
+    /// `folder` empty means "history" in the application's data folder. The oldest histories beyond
+    /// `mostFiles` are removed; age alone says nothing where a clock was wrong.
     explicit HistoryStore(QString folder = {});
 
-    static constexpr int keptDays = 30;
     static constexpr int mostFiles = 50;
 
     /// What a document's history is called: by its file, or, without one, by anything that is its own.

@@ -184,6 +184,20 @@ class EditJournalTest : public QObject {
         QVERIFY(store.write(name, {}, {}));
         QVERIFY(!store.find(name, QStringLiteral("two")));
     }
+
+    /// With a clock that was a year ahead, all histories were old.
+    void onlyTheOldestOfManyAreRemoved() {
+        QTemporaryDir folder;
+        const QDateTime now = QDateTime::currentDateTimeUtc();
+        for (int i = 0; i < HistoryStore::mostFiles + 3; ++i) {
+            QFile file(folder.filePath(QStringLiteral("%1.steps").arg(i)));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            QVERIFY(file.setFileTime(now.addDays(-365 - i), QFileDevice::FileModificationTime));
+        }
+        const HistoryStore store(folder.path());
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), qsizetype(HistoryStore::mostFiles));
+        QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("%1.steps").arg(HistoryStore::mostFiles))));
+    }
 };
 
 QTEST_MAIN(EditJournalTest)
