@@ -6,14 +6,17 @@
 #include <exception>
 #include <new>
 #include <QApplication>
+#include <QBuffer>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
+#include <QFileInfo>
 #include <QProcess>
 #include <QTimer>
 
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/window/main_window.h"
 #include "app/man_page.h"
+#include "core/text/whole_file.h"
 #include "widgets/interface_language.h"
 #include "widgets/notice_bar.h"
 #include "widgets/section/font_file.h"
@@ -101,6 +104,17 @@ Options readOptions(const QApplication& application) {
     return given;
 }
 
+/// Writes a picture whole or not at all, in the format that the name's ending says. Returns why it could not.
+std::string writePicture(const QPixmap& picture, const QString& file) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!picture.save(&buffer, QFileInfo(file).suffix().toLatin1().constData()))
+        return "no format of pictures has this ending; use .png";
+    return isoscope::writeWhole(QFile::encodeName(file).toStdString(),
+                                {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+}
+
 /// Ends the program with a picture of the window; the exit status says whether it could be written.
 void takeScreenshot(isoscope::MainWindow& window, const QString& file) {
     auto* timer = new QTimer(&window);
@@ -114,9 +128,10 @@ void takeScreenshot(isoscope::MainWindow& window, const QString& file) {
             std::fprintf(stderr, "isoscope: not everything is drawn after %d seconds\n",
                          screenshotLimit / 1000);
         QCoreApplication::sendPostedEvents();  // layouts that wait for texts of the last moment
-        const bool written = window.grab().save(file);
-        if (!written) std::fprintf(stderr, "%s cannot be written\n", qPrintable(file));
-        QCoreApplication::exit(written ? 0 : 1);
+        const std::string problem = writePicture(window.grab(), file);
+        if (!problem.empty())
+            std::fprintf(stderr, "%s cannot be written: %s\n", qPrintable(file), problem.c_str());
+        QCoreApplication::exit(problem.empty() ? 0 : 1);
     });
     timer->start(screenshotInterval);
 }

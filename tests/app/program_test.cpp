@@ -140,6 +140,20 @@ class ProgramTest : public QObject {
         QVERIFY(isoscope::test::distinctColors(window) > 500);
     }
 
+    void aPictureThatCannotBeWrittenIsTold() {
+        const QString words = isoscope::test::writeFile(folder_.path(), "kept.text", "words");
+        const Outcome unknown = run({"--screenshot", words});
+        QCOMPARE(unknown.status, 1);
+        QVERIFY2(unknown.errors.contains("use .png"), qPrintable(unknown.errors));
+        QFile file(words);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), QByteArray("words"));  // the picture once began in the file's place
+
+        const Outcome nowhere = run({"--screenshot", folder_.filePath("no/such/folder.png")});
+        QCOMPARE(nowhere.status, 1);
+        QVERIFY2(nowhere.errors.contains("No such file or directory"), qPrintable(nowhere.errors));
+    }
+
     /// A system with a decimal comma has the same surfaces: `str` once gave 1,5, of which `val` made 1.
     void picturesDoNotDependOnTheLocale() {
         const isoscope::test::CommaLocale locale;
