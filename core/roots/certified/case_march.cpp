@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <ranges>
 
 #include "core/roots/certified/form_sign.h"
 
@@ -213,8 +213,9 @@ void CaseMarch::join(Undecided& at, std::span<const Leaf> leaves) {
     const auto other = std::find_if(first, leaves.end(),
                                     [&](const Leaf& leaf) { return !leaf.isShort && leaf.sign != at.sign; });
     if (other != leaves.end()) at.free = std::max(other->start, at.start);
-    for (const Leaf& leaf : std::ranges::subrange(leaves.begin(), other) | std::views::reverse)
+    std::for_each(std::make_reverse_iterator(other), leaves.rend(), [&](const Leaf& leaf) {
         if (leaf.isShort && leaf.end >= at.free) at.free = std::min(at.free, leaf.start);
+    });
     double unsure = at.start;  // up to here a part that is left out may have another sign
     for (const Leaf& leaf : leaves)
         if (leaf.isShort && leaf.start <= unsure) unsure = std::max(unsure, leaf.end);
