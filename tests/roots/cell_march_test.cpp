@@ -2,6 +2,7 @@
 #include "core/roots/cells/cell_march.h"
 
 #include <QTest>
+#include <glm/geometric.hpp>
 #include <cmath>
 
 #include "core/evaluate/prepared_function.h"
