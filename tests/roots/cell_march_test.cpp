@@ -2,8 +2,8 @@
 #include "core/roots/cells/cell_march.h"
 
 #include <QTest>
-#include <glm/geometric.hpp>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "core/evaluate/prepared_function.h"
 #include "core/function/patterns/pattern.h"

@@ -92,15 +92,20 @@ void SceneLexer::styleText(int start, int end) {
         line > 0 ? static_cast<int>(editor()->SendScintilla(QsciScintillaBase::SCI_GETLINESTATE, line - 1))
                  : 0;
     SceneScanner scanner(text, depth, notation_);
-    startStyling(start);
+    // In one go: each call has Scintilla look through all lines of the document.
+    QByteArray styles;
+    styles.reserve(end - start);
     while (!scanner.atEnd()) {
         const std::size_t at = scanner.position();
         const SceneScanner::Piece piece = scanner.next();
-        setStyling(piece.length, static_cast<int>(piece.style));
+        styles.append(piece.length, static_cast<char>(piece.style));
         if (text[at] == '\n')
             editor()->SendScintilla(QsciScintillaBase::SCI_SETLINESTATE, static_cast<unsigned long>(line++),
                                     scanner.depth());
     }
+    startStyling(start);
+    editor()->SendScintilla(QsciScintillaBase::SCI_SETSTYLINGEX, static_cast<unsigned long>(styles.size()),
+                            styles.constData());
 }
 
 const char* SceneLexer::wordCharacters() const {
