@@ -92,6 +92,8 @@ struct ParseContext {
     std::vector<double> parameterTable;
     /// The parameter whose range begins at this byte of the user's text: a literal in a loop is one slider.
     std::unordered_map<std::uint32_t, int> parameterAt;
+    /// The settings that isosurfaces leave out, and the byte where each could stand: several share one.
+    std::set<std::pair<ParameterRole, std::uint32_t>> impliedAt;
     /// Whether built-ins may be called without functions.inc, for texts that could not include it.
     bool builtinsKnown = false;
     /// Operations in all functions of the text so far; FunctionParser refuses those beyond its limit.

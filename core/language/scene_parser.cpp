@@ -141,8 +141,8 @@ bool SceneParser::passFormula(const Token& first) {
     const std::string_view text = context.sources[first.range.file].text();
     // What a mistake left of another statement does not begin a line.
     const std::string_view before = text.substr(0, first.range.begin);
-    const std::size_t lineStart = before.rfind('\n') + 1;  // npos + 1 is the beginning
-    if (before.find_first_not_of(" \t;", lineStart) != std::string_view::npos) return false;
+    const std::size_t last = before.find_last_not_of(" \t;");
+    if (last != std::string_view::npos && before[last] != '\n') return false;
     const auto isNumber = [&context](std::string_view name) {
         const Value* value = context.symbols.find(name);
         return value && std::holds_alternative<NumberValue>(value->data);

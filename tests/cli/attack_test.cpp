@@ -193,6 +193,20 @@ class AttackTest : public QObject {
         }
     }
 
+    /// For each word its line was searched, and for each isosurface all settings before it: 20 s, now 0.3 s.
+    void noPieceCostsMoreBehindManyOthers_data() {
+        QTest::addColumn<QByteArray>("piece");
+        for (const char* piece : {"agate ", ";", "x+sphere(x)*", "isosurface{function{x}}\n"})
+            QTest::newRow(piece) << QByteArray(piece);
+    }
+
+    void noPieceCostsMoreBehindManyOthers() {
+        QFETCH(QByteArray, piece);
+        const ProgramResult result = runCli(
+            {"check", writeFile(folder_.path(), "many.pov", piece.repeated((1 << 20) / piece.size()))}, 30);
+        QVERIFY2(!result.errors.contains("the limit of time"), result.errors.left(300));
+    }
+
     /// A pipe kept its reader waiting for ever, and a file of gigabytes was read to its end.
     void filesThatAreNoScenesEnd() {
         const QString pipe = folder_.filePath("pipe.pov"), large = folder_.filePath("large.pov");

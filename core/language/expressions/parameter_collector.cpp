@@ -130,16 +130,12 @@ void ParameterCollector::addSetting(ParameterRole role, const std::string& name,
 
 void ParameterCollector::addImpliedSetting(ParameterRole role, const std::string& name, double value,
                                            const SourceRange& place) {
-    if (place.file != 0) return;
+    // A second reading in a loop is the same setting.
+    if (place.file != 0 || !context_.impliedAt.emplace(role, place.end).second) return;
     SceneParameter parameter = setting(role, name, value, {0, place.end, place.end});
     parameter.implied = true;
     parameter.statement = context_.statement;
-    // Several settings share the place, so that it cannot tell a second reading in a loop from the first.
-    const bool known =
-        std::any_of(context_.parameters.begin(), context_.parameters.end(), [&](const SceneParameter& other) {
-            return other.implied && other.role == role && other.range.begin == parameter.range.begin;
-        });
-    if (!known) context_.parameters.push_back(std::move(parameter));
+    context_.parameters.push_back(std::move(parameter));
 }
 
 void ParameterCollector::addLiteral(const Label& label, const std::string& name, const SourceRange& range) {
