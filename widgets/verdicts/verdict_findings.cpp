@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "core/study/gradient/proof_note.h"
 #include "core/study/gradient/statement_verdict.h"
@@ -23,18 +24,34 @@ const char* idOf(GradientVerdict verdict) {
     }
 }
 
-/// The setting in the text, else the first word of the statement.
-SourceRange placeOf(const ParseResult& parsed, std::size_t isosurface) {
-    const SourceRange& statement = parsed.scene->isosurfaces[isosurface].range;
-    for (const SceneParameter& parameter : parsed.scene->parameters) {
-        const SourceRange& range = parameter.range;
-        if (parameter.role == ParameterRole::maxGradient && !parameter.implied &&
-            range.file == statement.file && statement.begin <= range.begin && range.end <= statement.end)
-            return range;
+/// Where each max_gradient of a text stands; there may be tens of thousands.
+class GradientPlaces {
+  public:
+    explicit GradientPlaces(const Scene& scene) : scene_(scene) {
+        for (const SceneParameter& parameter : scene.parameters)
+            if (parameter.role == ParameterRole::maxGradient && !parameter.implied)
+                settings_.push_back(parameter.range);
+        std::sort(settings_.begin(), settings_.end(), isBefore);
     }
-    constexpr std::uint32_t wordLength = sizeof "isosurface" - 1;
-    return {statement.file, statement.begin, std::min(statement.end, statement.begin + wordLength)};
-}
+
+    /// The setting in the statement of an isosurface, else the statement's first word.
+    SourceRange of(std::size_t isosurface) const {
+        const SourceRange& statement = scene_.isosurfaces[isosurface].range;
+        const auto found = std::lower_bound(settings_.begin(), settings_.end(), statement, isBefore);
+        if (found != settings_.end() && found->file == statement.file && found->end <= statement.end)
+            return *found;
+        constexpr std::uint32_t wordLength = sizeof "isosurface" - 1;
+        return {statement.file, statement.begin, std::min(statement.end, statement.begin + wordLength)};
+    }
+
+  private:
+    static bool isBefore(const SourceRange& a, const SourceRange& b) {
+        return std::tie(a.file, a.begin) < std::tie(b.file, b.begin);
+    }
+
+    const Scene& scene_;
+    std::vector<SourceRange> settings_;
+};
 
 /// Of a comment in front of the statement that is not true any more.
 std::optional<Diagnostic> noteFinding(const SurfaceVerdict& verdict, const ParseResult& parsed) {
@@ -80,6 +97,7 @@ Diagnostics verdictFindings(const std::vector<SurfaceVerdict>& verdicts, const P
     Diagnostics findings;
     if (!parsed.scene) return findings;
     const auto needed = neededGradients(verdicts, parsed);
+    const GradientPlaces places(*parsed.scene);
     for (const SurfaceVerdict& one : verdicts) {
         if (auto stale = noteFinding(one, parsed)) findings.push_back(std::move(*stale));
         const auto verdict = one.verdict();
@@ -87,7 +105,7 @@ Diagnostics verdictFindings(const std::vector<SurfaceVerdict>& verdicts, const P
         Diagnostic finding;
         finding.severity = *verdict == GradientVerdict::holes ? Severity::warning : Severity::note;
         finding.id = idOf(*verdict);
-        finding.range = placeOf(parsed, one.isosurface);
+        finding.range = places.of(one.isosurface);
         finding.message = VerdictText::plain(one).toStdString();
         finding.hint = VerdictText::exact(one).toStdString();
         if (one.bracket.singularity) finding.hint += ' ' + std::string(advice(one.bracket.singularity->kind));
@@ -104,8 +122,9 @@ Diagnostics verdictFindings(const std::vector<SurfaceVerdict>& verdicts, const P
 std::vector<int> verdictLines(const ParseResult& parsed) {
     std::vector<int> lines;
     if (!parsed.scene || !parsed.sources) return lines;
+    const GradientPlaces places(*parsed.scene);
     for (std::size_t i = 0; i < parsed.scene->isosurfaces.size(); ++i) {
-        const SourceRange place = placeOf(parsed, i);
+        const SourceRange place = places.of(i);
         const bool own = place.file == 0 && parsed.sources->size() > 0;
         lines.push_back(own ? (*parsed.sources)[0].position(place.begin).line : 0);
     }

@@ -216,6 +216,20 @@ class SceneEditorTest : public QObject {
         QCOMPARE(editor_->sceneText(), QString("1"));
     }
 
+    /// Each call looks through all lines: one for each word stopped the window for 20 s in 60 000 lines.
+    void aTextIsStyledInOneCall() {
+        int calls = 0;
+        editor_->SendScintilla(Sci::SCI_SETMODEVENTMASK, static_cast<long>(Sci::SC_MODEVENTMASKALL));
+        connect(editor_.get(), &Sci::SCN_MODIFIED, this, [&](int, int kind) {
+            if (kind & Sci::SC_MOD_CHANGESTYLE) ++calls;
+        });
+        editor_->setText(QStringLiteral("#declare A = 1; // [0:2]\n").repeated(1000));
+        editor_->SendScintilla(Sci::SCI_COLOURISE, 0UL, -1L);
+        QCOMPARE(styleAt(editor_.get(), 5), SceneStyle::directive);
+        QCOMPARE(styleAt(editor_.get(), 25 * 999 + 20), SceneStyle::comment);
+        QVERIFY2(calls >= 1 && calls <= 5, qPrintable(QString::number(calls)));
+    }
+
     void savingEndsAGroupOfChanges() {
         load("1");
         editor_->markNumbers({{0, 0, 1}});
