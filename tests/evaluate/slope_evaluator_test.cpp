@@ -132,11 +132,7 @@ class SlopeEvaluatorTest : public QObject {
             settings.nodes = 3 + round % 12;
             settings.loops = false;
             settings.parameters = 0;
-            settings.operations = {Operation::negate,     Operation::absolute,    Operation::square,
-                                   Operation::squareRoot, Operation::exponential, Operation::sine,
-                                   Operation::cosine,     Operation::add,         Operation::subtract,
-                                   Operation::multiply,   Operation::divide,      Operation::minimum,
-                                   Operation::maximum};
+            settings.operations = operationsWithSlopes();
             checkSlopes(randomFunction(random, settings), random, counts);
         }
         qInfo("%d slopes, %d noises", counts.slopes, counts.noises);

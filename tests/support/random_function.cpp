@@ -119,6 +119,12 @@ double anyNumber(std::mt19937_64& random) {
     }
 }
 
+std::vector<Operation> operationsWithSlopes() {
+#define ISOSCOPE_NAME(operation) Operation::operation,
+    return {ISOSCOPE_SLOPED_OPERATIONS(ISOSCOPE_NAME, ISOSCOPE_NAME)};
+#undef ISOSCOPE_NAME
+}
+
 std::span<const Operation> exactOperations() {
     static constexpr std::array operations{
         Operation::negate,         Operation::absolute,       Operation::square,        Operation::squareRoot,

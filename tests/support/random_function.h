@@ -21,6 +21,9 @@ double anyNumber(std::mt19937_64& random);
 /// Operations whose result every evaluator must give to the last bit.
 std::span<const Operation> exactOperations();
 
+/// Operations that SlopeAlgebra and TaylorAlgebra have rules for, noise aside.
+std::vector<Operation> operationsWithSlopes();
+
 /// What randomFunction may use.
 struct RandomFunctionSettings {
     int nodes = 20;
