@@ -42,7 +42,8 @@ struct ObjectParser::Statement {
     std::vector<std::string> leftOut;  ///< sentences about its texture are added when it is complete
     SourceRange textureRange;
     SourceRange interiorRange;
-    bool drawn = true;  ///< false when nothing can be shown; the reason has been reported
+    bool drawn = true;     ///< false when nothing can be shown; the reason has been reported
+    bool excused = false;  ///< its shape was not understood: items that follow may be parts of it
     bool firstPartMissing = false;
     bool onSurface = false;  ///< `uv_mapping` has been said
 };
@@ -83,7 +84,10 @@ ObjectPointer ObjectParser::parseDrawn(const Token& keyword) {
             tokens_.expect("}", "to close `" + word + "`");
             return nullptr;
         }
+        Diagnostics& told = tokens_.context().diagnostics;
+        const auto before = static_cast<std::ptrdiff_t>(told.size());
         passUnknownItem(tokens_, word);
+        if (statement.excused) told.erase(told.begin() + before, told.end());
         if (statement.isosurface) statement.isosurface->excuse();
     }
     tokens_.next();
@@ -106,6 +110,7 @@ void ObjectParser::parseContents(Statement& statement) {
 void ObjectParser::parseShape(Statement& statement, const ShapeParser& parser) {
     ShapeReader reader(tokens_, draft_, statement.keyword);
     ShapePointer shape = parser.parse(reader);
+    statement.excused = reader.failed();
     if (!reader.finite())
         tokens_.context().error("bad-value", statement.keyword.range,
                                 "The numbers of this `" + reader.keyword() + "` are not all finite.");

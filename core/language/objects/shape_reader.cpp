@@ -83,8 +83,8 @@ bool ShapeReader::flag(const char* word, bool& value) {
 }
 
 void ShapeReader::fail(const SourceRange& range, const std::string& message, const std::string& hint) {
+    if (!failed_) tokens_.context().error("bad-shape", range, message, hint);
     failed_ = true;
-    tokens_.context().error("bad-shape", range, message, hint);
 }
 
 void ShapeReader::warn(const SourceRange& range, const std::string& message, const std::string& hint) {

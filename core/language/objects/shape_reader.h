@@ -29,7 +29,8 @@ class ShapeReader {
     /// Whether the word comes next; it is taken, with the `on` or `off` behind it.
     bool flag(const char* word, bool& value);
 
-    /// Reports an error of the statement; no shape is made of it then.
+    /// Reports an error of the statement; no shape is made of it then. Only the first one is told: others may
+    /// follow from it.
     void fail(const SourceRange& range, const std::string& message, const std::string& hint = {});
     /// The same as a warning: the shape is made all the same.
     void warn(const SourceRange& range, const std::string& message, const std::string& hint = {});

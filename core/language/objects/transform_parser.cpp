@@ -38,17 +38,19 @@ Transform TransformParser::parseScale() {
 Transform TransformParser::parseMatrix() {
     const SourceRange start = tokens_.peek().range;
     std::array<double, 12> numbers{};
+    bool complete = true;
     if (!tokens_.expect("<", "to begin the 12 numbers of `matrix`")) return {};
     for (std::size_t k = 0; k < numbers.size(); ++k) {
         if (k > 0 && !tokens_.accept(",") && tokens_.peek().is(">")) {
             tokens_.context().error("short-matrix", start, "`matrix` takes 12 numbers.");
+            complete = false;
             break;
         }
         // The arguments of a comparison would take the closing `>` for an operator; parseNumber stops before
         // it.
         numbers[k] = ExpressionParser(tokens_).parseFloat();
     }
-    if (!tokens_.expect(">", "to close the numbers of `matrix`")) return {};
+    if (!tokens_.expect(">", "to close the numbers of `matrix`") || !complete) return {};
     glm::dmat4 m(1);
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 3; ++column)

@@ -34,16 +34,14 @@ class MeshReader {
     }
 
     ShapePointer finish() {
+        if (reader_.failed() || !reader_.finite()) return nullptr;
         if (degenerate_ > 0)
             reader_.warn(reader_.keywordRange(),
-                         std::to_string(degenerate_) +
-                             " triangles of this mesh have all corners on one line; they are "
-                             "left out.");
-        if (reader_.failed() || !reader_.finite()) return nullptr;
-        if (faces_.empty()) {
+                         "Triangles of this mesh whose corners lie on one line are left out: " +
+                             std::to_string(degenerate_) + ".");
+        else if (faces_.empty())
             reader_.warn(reader_.keywordRange(), "This mesh has no triangles.");
-            return nullptr;
-        }
+        if (faces_.empty()) return nullptr;
         return std::make_shared<Mesh>(std::move(points_), std::move(normals_), std::move(faces_), inside_,
                                       std::move(places_));
     }
@@ -98,7 +96,7 @@ class TriangleMeshReader : public MeshReader {
 
   private:
     void parseTriangle(bool smooth) {
-        if (!tokens_.expect("{", "to begin the triangle"))
+        if (!tokens_.accept("{"))
             return reader_.fail(tokens_.peek().range, "A triangle of this mesh is incomplete.");
         Mesh::Face face;
         face.smooth = smooth;
@@ -188,7 +186,7 @@ class IndexedMeshReader : public MeshReader {
     }
 
     int parseCount(const std::string& word) {
-        if (!tokens_.expect("{", "to begin `" + word + "`")) {
+        if (!tokens_.accept("{")) {
             reader_.fail(tokens_.peek().range, "`" + word + "` is incomplete.");
             return 0;
         }
@@ -196,11 +194,12 @@ class IndexedMeshReader : public MeshReader {
     }
 
     void close(const std::string& word, int missing) {
-        if (missing > 0)
-            reader_.fail(tokens_.peek().range,
-                         "`" + word + "` has " + std::to_string(missing) + " entries too few.");
-        if (tokens_.accept("}")) return;
-        if (missing == 0) reader_.fail(tokens_.peek().range, "Expected `}` to close `" + word + "`.");
+        if (missing == 0 && tokens_.accept("}")) return;
+        reader_.fail(tokens_.peek().range,
+                     missing > 0 ? "`" + word + "` has " + std::to_string(missing) + " entries too few."
+                     : ExpressionParser(tokens_).atExpression()
+                         ? "`" + word + "` has more entries than announced."
+                         : "Expected `}` to close `" + word + "`.");
         tokens_.skipBlock();
     }
 

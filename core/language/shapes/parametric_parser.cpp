@@ -18,6 +18,7 @@ class ParametricReader {
 
     ShapePointer parse() {
         for (Function& function : settings_.functions) function = parseFunction();
+        if (reader_.failed()) return nullptr;
         settings_.low = reader_.pair("first corner of u and v");
         settings_.high = reader_.pair("second corner of u and v");
         while (parseItem()) continue;

@@ -39,7 +39,7 @@ std::vector<double> parseCoefficients(ShapeReader& reader, int order) {
     std::vector<double> coefficients;
     const std::size_t wanted = Poly::termCount(order);
     const SourceRange start = tokens.peek().range;
-    if (!tokens.expect("<", "to begin the coefficients")) {
+    if (!tokens.accept("<")) {
         reader.fail(start, "The coefficients of `" + reader.keyword() + "` stand between `<` and `>`.");
         return {};
     }

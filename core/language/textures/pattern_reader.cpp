@@ -151,6 +151,7 @@ bool PatternReader::parseMagnet() {
     if (!parseFractal(name)) {
         tokens_.context().error("unknown-pattern", name.range,
                                 "Expected `mandel` or `julia` behind `magnet`.");
+        if (name.kind == TokenKind::word) tokens_.next();
         return false;
     }
     pattern.kind = pattern.kind == PatternKind::mandel ? PatternKind::magnetMandel : PatternKind::magnetJulia;

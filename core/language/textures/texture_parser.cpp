@@ -210,18 +210,7 @@ bool TextureParser::parseTextureItem(Material& material) {
         (word.is("uv_mapping") ? onSurface_ : unscaledBumps_) = on;
         return true;
     }
-    if (mapped_ || !material.map) return mapped_ && reader_.parseModifier();
-    // What comes behind the name of a declared texture_map changes its pattern.
-    takeMap(material);
-    return reader_.parseModifier();
-}
-
-void TextureParser::takeMap(Material& material) {
-    mapped_ = *material.map;
-    reader_.pattern = material.map->pattern;
-    if (!material.mapTransform.identity())
-        reader_.pattern.warps.emplace_back(transformWarp(material.mapTransform));
-    material.mapTransform = Transform();
+    return mapped_ && reader_.parseModifier();
 }
 
 bool TextureParser::parseMapItem(Material& material) {

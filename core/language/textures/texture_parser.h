@@ -40,7 +40,6 @@ class TextureParser {
     void closeTextures(std::string_view keyword);
     void applyFlags(Material& material);
     void parseTextureMap();
-    void takeMap(Material& material);
     void finishMap(Material& material);
     bool startFromDeclared(Material& material);
     TokenStream& tokens_;
