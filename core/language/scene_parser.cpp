@@ -49,8 +49,14 @@ void SceneParser::parse() {
 void SceneParser::parseStatement() {
     const Token token = tokens_.peek();
     if (tokens_.accept(";")) return;
-    if (token.kind == TokenKind::word && parseKnown(token)) return;
-    parseUnknown(token);
+    const Diagnostics& told = tokens_.context().diagnostics;
+    const auto before = static_cast<std::ptrdiff_t>(told.size());
+    if (token.kind == TokenKind::word && parseKnown(token))
+        mistaken_ = std::any_of(told.begin() + before, told.end(), [](const Diagnostic& diagnostic) {
+            return diagnostic.severity == Severity::error;
+        });
+    else
+        parseUnknown(token);
 }
 
 bool SceneParser::parseKnown(const Token& word) {
@@ -124,14 +130,20 @@ void SceneParser::parseUnknown(const Token& token) {
         return;
     }
     if (token.is("}")) {
-        context.error("unbalanced-brace", token.range, "This `}` closes nothing.");
+        if (!mistaken_) context.error("unbalanced-brace", token.range, "This `}` closes nothing.");
+        mistaken_ = true;
         tokens_.next();
         return;
     }
     if (passFormula(token)) return;
-    reportUnknownWord(context, "unknown-statement", token,
-                      "Expected a statement such as `isosurface`, but found " + describe(token) + ".", "",
-                      [&context] { return statementWords(context.symbols); });
+    tokens_.next();
+    const bool isMisspelt = tokens_.peek().is("{") && !isReservedWord(token.text);
+    tokens_.pushBack(token);
+    if (!mistaken_ || isMisspelt)
+        reportUnknownWord(context, "unknown-statement", token,
+                          "Expected a statement such as `isosurface`, but found " + describe(token) + ".", "",
+                          [&context] { return statementWords(context.symbols); });
+    mistaken_ = !isMisspelt;
     tokens_.skipStatement();
 }
 

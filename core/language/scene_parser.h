@@ -41,6 +41,9 @@ class SceneParser {
 
     TokenStream& tokens_;
     SceneDraft& draft_;
+    /// A mistake has been told, and no statement has been understood since: what may be left of that one is
+    /// passed over, all but names with a block, which are statements of their own.
+    bool mistaken_ = false;
 };
 
 }  // namespace isoscope

@@ -19,6 +19,12 @@ class ToldMistakesTest : public QObject {
         row("camera { cylinder 7 }", "A `cylinder` camera is one of 1, 2, 3 or 4.");
         row("camera { aperture 1 blur_samples 1e9 }", "`blur_samples` are sent");
         row("background { rgb 1 z }", "Expected `}` to close `background`.");
+        // What a mistake leaves of a statement is no mistake of its own.
+        row("foo bar baz 3 qux", "Expected a statement such as `isosurface`, but found `foo`.");
+        row("camera what location -3*z look_at 0 }", "Expected `{` to begin `camera`, but found `what`.");
+        row("fog what\n distance 3\n fog_type 2\n}", "Expected `{` to begin `fog`, but found `what`.");
+        row("sphere what 0, 1 texture { pigment { rgb 1 } } }", "Expected `{` to begin `sphere`");
+        row("sphere { 0, 1 } } }", "This `}` closes nothing.");
         row("fog { distance 3 what }", "`what` is not understood in `fog`");
         row("#default { what }", "`what` is not understood in `#default`");
         row("global_settings { assumed_gamma -1 }", "`assumed_gamma` must be greater than 0.");
@@ -84,6 +90,14 @@ class ToldMistakesTest : public QObject {
         row("sphere { 0, 1 pigment { density_file df3 \"none.df3\" } }", "There is no file `none.df3`.");
         row("sphere { 0, 1 material { what } }", "`what` is not understood in `material`");
         row("sphere { 0, 1 texture { what } }", "`what` is not understood in `texture`");
+    }
+
+    void misspeltStatementsAreToldEach() {
+        const ParseResult parsed = parseScene("shpere { 0, 1 }\nbxo { 0, 1 }\nfoo bar\nbal { 0, 1 }\n");
+        QCOMPARE(parsed.diagnostics.size(), std::size_t(4));
+        QVERIFY(parsed.diagnostics[1].message.find("`bxo`") != std::string::npos);
+        QVERIFY(parsed.diagnostics[2].message.find("`foo`") != std::string::npos);
+        QVERIFY(parsed.diagnostics[3].message.find("`bal`") != std::string::npos);
     }
 
     void aMistakeIsToldOnce() {
