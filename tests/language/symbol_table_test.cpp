@@ -2,6 +2,7 @@
 #include "core/language/tokens/symbol_table.h"
 
 #include <QTest>
+#include <map>
 #include <set>
 
 using namespace isoscope;
@@ -187,6 +188,17 @@ class SymbolTableTest : public QObject {
         QCOMPARE(closest("Lenght", {"lenghs", "Length"}), std::string("Length"));
         QCOMPARE(closest("eLngth", {"elngts", "Length"}), std::string("Length"));
         QCOMPARE(closest("Legnth", {"legnts", "Length"}), std::string("Length"));
+    }
+
+    void distancesAreInHalfEdits() {
+        const std::map<std::string, int> distances{{"phere", 2},    {"xsphere", 2}, {"spheer", 2},
+                                                   {"Sphere", 1},   {"SPHERE", 1},  {"Shpere", 3},
+                                                   {"sphereex", 4}, {"sphere2a", 4}};
+        for (const auto& [name, expected] : distances) {
+            int distance = 0;
+            QCOMPARE(closestName(name, {"sphere"}, &distance), std::string("sphere"));
+            QVERIFY2(distance == expected, (name + ' ' + std::to_string(distance)).c_str());
+        }
     }
 };
 

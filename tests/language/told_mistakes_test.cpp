@@ -25,6 +25,8 @@ class ToldMistakesTest : public QObject {
         row("fog what\n distance 3\n fog_type 2\n}", "Expected `{` to begin `fog`, but found `what`.");
         row("sphere what 0, 1 texture { pigment { rgb 1 } } }", "Expected `{` to begin `sphere`");
         row("sphere { 0, 1 } } }", "This `}` closes nothing.");
+        row("\x01", "A control character (code 1) has no meaning here");
+        row("sphere { 0, 1 \x7f }", "A control character (code 127) has no meaning here");
         row("fog { distance 3 what }", "`what` is not understood in `fog`");
         row("#default { what }", "`what` is not understood in `#default`");
         row("global_settings { assumed_gamma -1 }", "`assumed_gamma` must be greater than 0.");
@@ -47,7 +49,9 @@ class ToldMistakesTest : public QObject {
         row("isosurface { threshold 1 }", "An `isosurface` needs a `function { ... }`.");
         row("isosurface { function { x } contained_by { box { -1, 1 2 } } }", "Expected `}` to close `box`.");
         row("isosurface { function { x } max_trace 99 }", "`max_trace` must be 1 to 10.");
-        row("isosurface { function { x } evaluate 0, 0, 0 }", "it is ignored");
+        for (const char* evaluate : {"0, 2, 0.5", "1, 0.5, 0.5", "1, 2, 0", "1, 2, 1.5"})
+            row(("isosurface { function { x } evaluate " + std::string(evaluate) + " }").c_str(),
+                "it is ignored");
         row("#declare C = camera { } object { C }", "`C` is a camera, not an object.");
         row("#declare F = function { x } object { F }", "`F` is a function, not an object.");
         row("#declare T = transform { scale 2 } object { T }", "`T` is a transform, not an object.");
