@@ -166,6 +166,7 @@ bool SceneParser::passFormula(const Token& first) {
     while (tokens_.peek().range.file == range.file && tokens_.peek().range.begin < range.end &&
            tokens_.peek().kind != TokenKind::end)
         tokens_.next();
+    if (tokens_.cutOff()) return true;  // why has been told
     // Characters that only the formula has are no mistakes of their own.
     std::erase_if(context.diagnostics, [&, i = std::size_t(0)](const Diagnostic& diagnostic) mutable {
         return i++ >= complaints && diagnostic.range.begin < range.end;

@@ -96,6 +96,33 @@ class ToldMistakesTest : public QObject {
         row("sphere { 0, 1 texture { what } }", "`what` is not understood in `texture`");
     }
 
+    /// The messages of directives there were taken back together with those about the list.
+    void whatIsSaidBehindAMistakeIsKept() {
+        const ParseResult parsed = parseScene(
+            "mesh2 { vertex_vectors { 3, 0, x } face_indices { 1,\n#warning \"said\"\n<0, 1, 2> } }\n");
+        QCOMPARE(parsed.diagnostics.size(), std::size_t(2));
+        QVERIFY(parsed.diagnostics[1].message.find("said") != std::string::npos);
+    }
+
+    void anEndOfReadingIsToldWhereverItComes() {
+        for (const char* text : {"x*x + y*y + z*z - 1\n#warning \"read\"\n",
+                                 "mesh2 { vertex_vectors { 3, 0, x } f { 1 2 3 4 } }\n#warning \"read\"\n"}) {
+            int ended = 0;
+            for (std::size_t budget = 1; budget < 120; ++budget) {
+                ParseOptions options;
+                options.stepBudget = budget;
+                bool isRead = false, isEnded = false;
+                for (const Diagnostic& diagnostic : parseScene(text, options).diagnostics) {
+                    isRead = isRead || diagnostic.message == "read";
+                    isEnded = isEnded || diagnostic.message.find("asks for more than") != std::string::npos;
+                }
+                QVERIFY2(isRead || isEnded, qPrintable(QString::number(budget) + ' ' + text));
+                ended += isEnded;
+            }
+            QVERIFY(ended > 5);
+        }
+    }
+
     void misspeltStatementsAreToldEach() {
         const ParseResult parsed = parseScene("shpere { 0, 1 }\nbxo { 0, 1 }\nfoo bar\nbal { 0, 1 }\n");
         QCOMPARE(parsed.diagnostics.size(), std::size_t(4));

@@ -84,10 +84,10 @@ ObjectPointer ObjectParser::parseDrawn(const Token& keyword) {
             tokens_.expect("}", "to close `" + word + "`");
             return nullptr;
         }
-        Diagnostics& told = tokens_.context().diagnostics;
-        const auto before = static_cast<std::ptrdiff_t>(told.size());
-        passUnknownItem(tokens_, word);
-        if (statement.excused) told.erase(told.begin() + before, told.end());
+        if (statement.excused)
+            skipUnknownItem(tokens_, word);
+        else
+            passUnknownItem(tokens_, word);
         if (statement.isosurface) statement.isosurface->excuse();
     }
     tokens_.next();

@@ -187,19 +187,24 @@ bool passUnknownItem(TokenStream& tokens, std::string_view block) {
     reportUnknownWord(context, "unknown-item", first,
                       describe(first) + " is not understood in `" + std::string(block) + "`.", block,
                       [&] { return itemWords(context, first.text, block); });
+    skipUnknownItem(tokens, block);
+    return true;
+}
+
+void skipUnknownItem(TokenStream& tokens, std::string_view block) {
+    const ParseContext& context = tokens.context();
     tokens.next();
     bool expectsValue = true;  // what comes next is more of the item, be it an unknown name
     for (int depth = 0;;) {
         const Token token = tokens.peek();
-        if (token.kind == TokenKind::end || token.is("}")) return true;
-        if (depth <= 0 && (token.is("]") || token.is(";"))) return true;
+        if (token.kind == TokenKind::end || token.is("}")) return;
+        if (depth <= 0 && (token.is("]") || token.is(";"))) return;
         if (token.is("{")) {
             tokens.next();
-            tokens.skipBlock();
-            return true;
+            return tokens.skipBlock();
         }
         if (token.kind == TokenKind::word && !continuesValue(context, token.text)) {
-            if (!expectsValue || beginsItem(tokens, block)) return true;
+            if (!expectsValue || beginsItem(tokens, block)) return;
             expectsValue = false;
         } else {
             expectsValue = isOperator(token);

@@ -25,9 +25,12 @@ void reportUnknownWord(ParseContext& context, const std::string& id, const Token
                        std::optional<SourceRange> about = {});
 
 /// Says that the next token begins no item of `block` ("camera"), with a likely word for a hint, and passes
-/// it by with what seems to belong to it: numbers, names, operators, one block. What follows can be read as
-/// if it had not been there. False, and nothing is passed, at the end of the block or of the text.
+/// it by, as skipUnknownItem() does. False, and nothing is said or passed, at the end of the block or of the
+/// text.
 bool passUnknownItem(TokenStream& tokens, std::string_view block);
+/// Passes the next token by with what seems to belong to it: numbers, names, operators, one block. What
+/// follows can be read as if it had not been there. What directives in it say is told.
+void skipUnknownItem(TokenStream& tokens, std::string_view block);
 
 /// The program's own include file that declares `name`, or "".
 std::string includeThatDeclares(std::string_view name);
