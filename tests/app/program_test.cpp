@@ -147,7 +147,7 @@ class ProgramTest : public QObject {
         QVERIFY2(unknown.errors.contains("use .png"), qPrintable(unknown.errors));
         QFile file(words);
         QVERIFY(file.open(QIODevice::ReadOnly));
-        QCOMPARE(file.readAll(), QByteArray("words"));  // the picture once began in the file's place
+        QCOMPARE(file.readAll(), QByteArray("words"));
 
         const Outcome nowhere = run({"--screenshot", folder_.filePath("no/such/folder.png")});
         QCOMPARE(nowhere.status, 1);
