@@ -314,7 +314,6 @@ MaterialId SceneBuilder::addCutaway(const ObjectDescription& description, const 
         TexturedShape{std::make_shared<const CutawayTextures>(std::move(whole)), Transform()});
     material.map = std::move(textures);
     material.below.clear();
-    material.mapTransform = Transform();
     return addMaterial(material, {}, base.interior);
 }
 

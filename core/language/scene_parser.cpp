@@ -183,7 +183,13 @@ void SceneParser::parseDefault() {
         const Token token = tokens_.peek();
         TextureParser textures(tokens_, material);
         if (tokens_.accept("texture")) {
-            material = textures.parseTexture();
+            Material texture = textures.parseTexture();
+            if (texture.map)
+                tokens_.context().error("mapped-default", token.range,
+                                        "A default texture cannot be made of other textures.",
+                                        "declare it, and give it to the objects");
+            else
+                material = std::move(texture);
         } else if (tokens_.accept("camera")) {
             draft_.scene.camera = CameraParser(tokens_).parse();
         } else if (tokens_.accept("radiosity")) {

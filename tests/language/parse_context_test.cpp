@@ -84,10 +84,12 @@ class ParseContextTest : public QObject {
     void aPlaceOutsideTheCallIsNotReachedThroughIt() {
         ParseContext context{ParseOptions{}};
         context.enterCall({0, 90, 95}, {0, 10, 20});
-        context.error("a", {0, 50, 51}, "outside");
+        for (const SourceRange& outside : {SourceRange{0, 50, 51}, {0, 5, 6}, {0, 15, 21}, {1, 15, 16}}) {
+            context.error("a", outside, "outside");
+            QVERIFY(context.diagnostics.back().reachedFrom.empty());
+        }
         context.error("a", {0, 15, 16}, "inside");
-        QVERIFY(context.diagnostics.at(0).reachedFrom.empty());
-        QCOMPARE(context.diagnostics.at(1).reachedFrom.size(), std::size_t(1));
+        QCOMPARE(context.diagnostics.back().reachedFrom.size(), std::size_t(1));
     }
 
     void namesWhatIsLeftOut() {

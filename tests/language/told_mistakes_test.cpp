@@ -28,6 +28,11 @@ class ToldMistakesTest : public QObject {
         row("\x01", "A control character (code 1) has no meaning here");
         row("sphere { 0, 1 \x7f }", "A control character (code 127) has no meaning here");
         row("fog { distance 3 what }", "`what` is not understood in `fog`");
+        // They were taken, and POV-Ray refuses them.
+        row("#default { texture { gradient x texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } } }",
+            "A default texture cannot be made of other textures.");
+        row("#declare T = texture { checker texture { } texture { } } #default { texture { T } }",
+            "A default texture cannot be made of other textures.");
         row("#default { what }", "`what` is not understood in `#default`");
         row("global_settings { assumed_gamma -1 }", "`assumed_gamma` must be greater than 0.");
         row("global_settings { noise_generator 7 }", "`noise_generator` must be 1, 2 or 3.");
