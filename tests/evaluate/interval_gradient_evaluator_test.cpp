@@ -117,6 +117,8 @@ Function randomNorm(std::mt19937_64& random) {
         auto sum = number(0.1, 2) * part() + part();
         if (random() % 3 == 0) sum = sum + part() / 3;
         if (random() % 3 == 0) sum = sum + number(0, 0.5);
+        if (random() % 4 == 0) sum = sum / number(0.2, 3);
+        if (random() % 8 == 0) sum = select(sum, sum, sum.number(number(-1, 1)), sum);
         const double root = random() % 4 == 0 ? number(1, 3) / e : 1 / e;
         return root == 0.5 ? sqrt(sum) : pow(sum, x.number(root));
     });
@@ -205,6 +207,26 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY(section.smooth && !section.pieced);
         QVERIFY(section.slope[0].size() < 0.0015 && section.slope[1].low > 0.999);
         QVERIFY(section.bend[bendIndex(0, 0)].size() < 0.05);
+    }
+
+    /// Also about the centre, where the slopes of the sum and its root tell nothing.
+    void normsOfScaledSumsHaveTheirSteepness() {
+        const auto steepness = [](double factor, double exponent) {
+            return over(
+                       [&](auto x, auto y, auto) {
+                           return pow(
+                               (pow(abs(x), x.number(exponent)) + pow(abs(y), x.number(exponent))) / factor,
+                               x.number(1 / exponent));
+                       },
+                       {unit, unit, unit})
+                .steepness;
+        };
+        for (const double factor : {0.25, 1.0, 9.0})
+            for (const double exponent : {2.0, 3.0, 4.0}) {
+                const double exact = std::pow(factor, -1 / exponent), found = steepness(factor, exponent);
+                QVERIFY2(found >= exact && found < exact * (1 + 1e-9),
+                         qPrintable(QString("%1 for %2").arg(found).arg(exact)));
+            }
     }
 
     /// d2/dy2 sqrt(x^2 + y^2) is x^2 / sqrt(x^2 + y^2)^3.
@@ -303,8 +325,9 @@ class IntervalGradientEvaluatorTest : public QObject {
                 QVERIFY(std::abs(evaluator.margins()[0].value.high - (behind ? 0.4 : 0.2)) < 1e-9);
             }
         }
-        const Box twoCorners{Interval{-0.1, 0.6, false}, unit, unit};
-        QVERIFY(!over(wave, twoCorners).smooth);
+        for (const Interval& twoCorners :
+             {Interval{-0.1, 0.6, false}, {-0.1, 0.5, false}, {-0.5, 0.1, false}})
+            QVERIFY(!over(wave, {twoCorners, unit, unit}).smooth);
         const Box behindAxis{Interval{-2, -1.9, false}, Interval{-0.1, 0.1, false}, unit};
         IntervalGradientEvaluator around(Tape::compile(functionOf([](auto x, auto y, auto) {
                                              return apply(Operation::triangleWave,
