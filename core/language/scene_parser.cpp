@@ -116,7 +116,7 @@ void SceneParser::parseBackground() {
     const double share = 1 - color.transmit;
     color.red *= share, color.green *= share, color.blue *= share;
     draft_.scene.background = color;
-    if (tokens_.accept("}")) return;
+    if (tokens_.accept("}") || (closeUnclosed(tokens_, "background") && tokens_.accept("}"))) return;
     tokens_.context().error("unexpected-token", tokens_.peek().range, "Expected `}` to close `background`.");
     tokens_.skipBlock();
 }

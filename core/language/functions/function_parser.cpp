@@ -10,6 +10,7 @@
 #include "core/language/objects/spline_parser.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/pattern_parser.h"
+#include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
 
@@ -132,8 +133,11 @@ FunctionValue FunctionParser::parseBody(std::vector<std::string> parameterNames,
 void FunctionParser::parseExpression(FunctionScope& scope, FunctionValue& value, bool untilEnd) {
     FunctionExpressionParser expressions(tokens_, scope);
     const FunctionOperand result = expressions.parse();
-    const Token& next = tokens_.peek();
-    if (!expressions.failed() && !(untilEnd ? next.kind == TokenKind::end : next.is("}")))
+    const auto ends = [&] {
+        const Token& next = tokens_.peek();
+        return untilEnd ? next.kind == TokenKind::end : next.is("}") || closeUnclosed(tokens_, "function");
+    };
+    if (!expressions.failed() && !ends())
         expressions.failExpected(untilEnd ? "an operator or the end of the function"
                                           : "an operator or `}` to close the function");
     failed_ = expressions.failed();

@@ -84,10 +84,10 @@ ObjectPointer ObjectParser::parseDrawn(const Token& keyword) {
             tokens_.expect("}", "to close `" + word + "`");
             return nullptr;
         }
-        if (statement.excused)
-            skipUnknownItem(tokens_, word);
-        else
+        if (!statement.excused)
             passUnknownItem(tokens_, word);
+        else if (!closeUnclosed(tokens_, word))
+            skipUnknownItem(tokens_, word);
         if (statement.isosurface) statement.isosurface->excuse();
     }
     tokens_.next();

@@ -72,7 +72,7 @@ void NormalParser::parseBody(std::string_view end) {
             tokens_.expect(end, "to close `normal`");
             return;
         }
-        if (!passUnknownItem(tokens_, "normal")) tokens_.next();
+        if (!passUnknownItem(tokens_, "normal", end)) tokens_.next();
     }
     tokens_.next();
 }

@@ -131,7 +131,7 @@ void PigmentParser::parseBody(std::string_view end) {
             tokens_.expect(end, "to close `pigment`");
             return;
         }
-        if (!passUnknownItem(tokens_, "pigment")) tokens_.next();
+        if (!passUnknownItem(tokens_, "pigment", end)) tokens_.next();
     }
     tokens_.next();
 }

@@ -179,7 +179,7 @@ void TextureParser::parseBody(Material& material, std::string_view end, std::str
             tokens_.expect(end, "to close `" + std::string(keyword) + "`");
             return finishMap(material);
         }
-        if (!passUnknownItem(tokens_, keyword)) tokens_.next();
+        if (!passUnknownItem(tokens_, keyword, end)) tokens_.next();
     }
     tokens_.next();
     finishMap(material);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/tokens/token_stream.h"
 
+#include <utility>
+
 #include "core/language/directives/directive_reader.h"
 #include "core/language/directives/macro_caller.h"
 #include "core/language/tokens/token_stream_state.h"
@@ -22,6 +24,20 @@ std::string described(const Token& token) {
     if (token.kind == TokenKind::end) return "the text ends here";
     const std::string shown(token.text.substr(0, 40));
     return "found " + (token.kind == TokenKind::string ? "the string " + shown : "`" + shown + "`");
+}
+
+/// How many more blocks a text opens than it closes.
+std::ptrdiff_t unclosedBlocks(std::string_view text, std::uint32_t file) {
+    std::ptrdiff_t open = 0;
+    Lexer lexer(text, file);
+    for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next())
+        open += token.is("{") - token.is("}");
+    return open;
+}
+
+bool beginsLine(std::string_view text, std::uint32_t place) {
+    const std::size_t before = text.find_last_not_of(" \t", place == 0 ? std::string_view::npos : place - 1);
+    return place == 0 || before == std::string_view::npos || text[before] == '\n' || text[before] == '\r';
 }
 
 /// A declared name or `clock` needs nothing more; `rgb` or `texture` does.
@@ -125,6 +141,24 @@ void TokenStream::skipStatement() {
         if (token.kind == TokenKind::word || token.kind == TokenKind::end || token.is("}")) return;
         if (next().is("{")) return skipBlock();
     }
+}
+
+TokenStream::MissingBrace TokenStream::supplyBrace() {
+    const Token& token = peek();
+    const SourceRange range = token.range;
+    if (token.kind != TokenKind::word || cutOff()) return MissingBrace::none;
+    const std::string_view text = context_.sources[range.file].text();
+    if (!beginsLine(text, range.begin)) return MissingBrace::none;
+    const auto [missing, isNew] = state_->missingBraces.try_emplace(range.file);
+    if (isNew) missing->second = unclosedBlocks(text, range.file);
+    if (missing->second <= 0) return MissingBrace::none;
+    --missing->second;
+    Token brace;
+    brace.kind = TokenKind::symbol;
+    brace.text = "}";
+    brace.range = {range.file, range.begin, range.begin};
+    state_->ahead.push_back(std::move(brace));
+    return std::exchange(state_->supplied, range) == range ? MissingBrace::around : MissingBrace::first;
 }
 
 const SourceRange& TokenStream::lastRange() const { return state_->lastRange; }
@@ -292,12 +326,19 @@ void DirectiveScope::beginValue() {
 
 void DirectiveScope::settle() {
     TokenStream::State& state = *tokens_.state_;
+    // What was looked at may be the first of a macro that was called here: then the call is what comes next.
+    std::optional<SourceRange> call;
+    if (state.frames.size() - 1 > state.floor) call = state.frames[state.floor + 1].callSite;
     while (state.frames.size() - 1 > state.floor) tokens_.leaveFrame();
     Lexer& lexer = state.frames.back().lexer;
     if (!state.ahead.empty()) {
-        const SourceRange& first = state.ahead.back().range;
+        const SourceRange& first = call ? *call : state.ahead.back().range;
         const bool inThisText = first.file == lexer.file() && first.begin <= lexer.offset();
-        if (inThisText && state.ahead.back().kind != TokenKind::end) lexer.seek(first.begin);
+        // Of a macro of which something was taken the rest is lost.
+        const SourceRange& last = state.lastRange;
+        const bool isWhole =
+            !call || (last.file == call->file && last.begin >= call->begin && last.end <= call->end);
+        if (inThisText && isWhole && state.ahead.back().kind != TokenKind::end) lexer.seek(first.begin);
         state.ahead.clear();
     }
     state.reach = {};

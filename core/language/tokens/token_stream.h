@@ -52,6 +52,12 @@ class TokenStream {
     /// Skips one unknown statement: up to its block's end, or to before the next word or closing brace.
     void skipStatement();
 
+    /// Closes a block whose `}` seems to be missing in front of the next token: that begins a line, of a text
+    /// with fewer `}` than `{`. The next token is a `}` then, and whoever reads the block has to tell it, but
+    /// for blocks around one that was closed at the same place. `none` where nothing is done.
+    enum class MissingBrace : std::uint8_t { none, first, around };
+    MissingBrace supplyBrace();
+
     /// Diagnostics, symbols and options of this parse; shared with the parsers.
     ParseContext& context() { return context_; }
     /// Range of the token taken last.

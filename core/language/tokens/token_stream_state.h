@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,9 @@ struct TokenStream::State {
     ValueParser valueParser;
     DefaultParser defaultParser;
     IncludeLibrary includes;
+    /// By text: how many `}` it lacks, but for those that have been supplied.
+    std::map<std::uint32_t, std::ptrdiff_t> missingBraces;
+    SourceRange supplied;  ///< the token in front of which the last one was
 };
 
 /// While it lives, tokens are read for a directive (or a macro call) that began in the innermost frame;

@@ -53,7 +53,9 @@ const std::vector<std::string>& offeredNames() {
 Suggestion suggestionFor(std::string_view word, const std::vector<std::string>& candidates) {
     int distance = 0, includedDistance = 0;
     const std::string close = closestName(word, candidates, &distance);
-    const std::string included = closestName(word, offeredNames(), &includedDistance);
+    // A word of the language is at the wrong place rather than misspelt.
+    const std::string included =
+        isReservedWord(word) ? "" : closestName(word, offeredNames(), &includedDistance);
     if (!included.empty() && (close.empty() || includedDistance < distance))
         return {included, includeThatDeclares(included)};
     return {close, {}};
@@ -180,9 +182,28 @@ void reportUnknownWord(ParseContext& context, const std::string& id, const Token
     reportWith(context, std::move(unknown), word, suggestion);
 }
 
-bool passUnknownItem(TokenStream& tokens, std::string_view block) {
+bool closeUnclosed(TokenStream& tokens, std::string_view block) {
+    const Token first = tokens.peek();
+    if (!isReservedWord(first.text)) return false;
+    const TokenStream::MissingBrace missing = tokens.supplyBrace();
+    if (missing != TokenStream::MissingBrace::first) return missing != TokenStream::MissingBrace::none;
+    const SourceRange last = tokens.lastRange();
+    Diagnostic message{
+        Severity::error,
+        "unclosed-block",
+        first.range,
+        "Expected `}` to close `" + std::string(block) + "` before `" + std::string(first.text) + "`.",
+        {},
+        {}};
+    if (last.file == 0) message.fixes.push_back({"Add `}`", {0, last.end, last.end}, " }"});
+    tokens.context().report(std::move(message));
+    return true;
+}
+
+bool passUnknownItem(TokenStream& tokens, std::string_view block, std::string_view end) {
     const Token first = tokens.peek();
     if (first.kind == TokenKind::end || first.is("}")) return false;
+    if (end == "}" && closeUnclosed(tokens, block)) return true;
     ParseContext& context = tokens.context();
     reportUnknownWord(context, "unknown-item", first,
                       describe(first) + " is not understood in `" + std::string(block) + "`.", block,

@@ -26,11 +26,14 @@ void reportUnknownWord(ParseContext& context, const std::string& id, const Token
 
 /// Says that the next token begins no item of `block` ("camera"), with a likely word for a hint, and passes
 /// it by, as skipUnknownItem() does. False, and nothing is said or passed, at the end of the block or of the
-/// text.
-bool passUnknownItem(TokenStream& tokens, std::string_view block);
+/// text. `end` is what closes the block.
+bool passUnknownItem(TokenStream& tokens, std::string_view block, std::string_view end = "}");
 /// Passes the next token by with what seems to belong to it: numbers, names, operators, one block. What
 /// follows can be read as if it had not been there. What directives in it say is told.
 void skipUnknownItem(TokenStream& tokens, std::string_view block);
+/// Where the next token is a word of the language that cannot stand in `block`, in front of which the `}` of
+/// the block seems to be missing (TokenStream::supplyBrace): says so, and the next token is that `}`.
+bool closeUnclosed(TokenStream& tokens, std::string_view block);
 
 /// The program's own include file that declares `name`, or "".
 std::string includeThatDeclares(std::string_view name);
