@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <algorithm>
 
 #include "core/language/parse.h"
 
@@ -33,6 +34,10 @@ class ToldMistakesTest : public QObject {
             "A default texture cannot be made of other textures.");
         row("#declare T = texture { checker texture { } texture { } } #default { texture { T } }",
             "A default texture cannot be made of other textures.");
+        row("#declare A what 5;\nsphere { A, 1 }", "Expected `=` behind the name in `#declare`");
+        row("#declare A 5\nsphere { A, 1 }", "Expected `=` behind the name in `#declare`");
+        row("#declare A = 1 + what; sphere { 2*A, 1 }", "`what` is not declared.");
+        row("#declare rgb 5;", "`rgb` is a word of the language and cannot be declared.");
         row("#default { what }", "`what` is not understood in `#default`");
         row("global_settings { assumed_gamma -1 }", "`assumed_gamma` must be greater than 0.");
         row("global_settings { noise_generator 7 }", "`noise_generator` must be 1, 2 or 3.");
@@ -96,7 +101,8 @@ class ToldMistakesTest : public QObject {
         row("sphere { 0, 1 pigment { magnet 1 what } }", "Expected `mandel` or `julia` behind `magnet`.");
         row("sphere { 0, 1 pigment { mandel 1e9 } }", "is computed with at most");
         row("sphere { 0, 1 pigment { function(a) { a } } }", "A pattern needs a function of x, y and z");
-        row("sphere { 0, 1 pigment { density_file df3 \"none.df3\" } }", "There is no file `none.df3`.");
+        row("sphere { 0, 1 pigment { density_file df3 \"none.df3\" interpolate 1 } }",
+            "There is no file `none.df3`.");
         row("sphere { 0, 1 material { what } }", "`what` is not understood in `material`");
         row("sphere { 0, 1 texture { what } }", "`what` is not understood in `texture`");
     }
@@ -134,6 +140,107 @@ class ToldMistakesTest : public QObject {
         QVERIFY(parsed.diagnostics[1].message.find("`bxo`") != std::string::npos);
         QVERIFY(parsed.diagnostics[2].message.find("`foo`") != std::string::npos);
         QVERIFY(parsed.diagnostics[3].message.find("`bal`") != std::string::npos);
+    }
+
+    /// Every statement behind it was a mistake, and none of them was read.
+    void aMissingBraceIsToldOnceAndWhatFollowsIsRead_data() {
+        QTest::addColumn<QString>("block");
+        QTest::addColumn<QString>("closed");
+        const auto row = [](const char* block, const char* closed) {
+            QTest::newRow(block) << block << closed;
+        };
+        row("global_settings { assumed_gamma 1", "global_settings");
+        row("camera { location -3*z", "camera");
+        row("light_source { 9, 1", "light_source");
+        row("background { rgb 1", "background");
+        row("fog { distance 3", "fog");
+        row("sky_sphere { pigment { gradient y }", "sky_sphere");
+        row("sky_sphere { pigment { gradient y", "pigment");
+        row("sphere { 0, 1", "sphere");
+        row("sphere { 0, 1 pigment { rgb 1\n}", "sphere");
+        row("sphere { 0, 1 pigment { rgb 1\nfinish { phong 1 } }", "pigment");
+        row("sphere { 0, 1 texture { pigment { rgb 1 } finish { phong 1", "finish");
+        row("isosurface { function { x\nmax_gradient 3 }", "function");
+        row("isosurface { function { x } max_gradient 3", "isosurface");
+        row("#declare T = texture { pigment { rgb 1 }", "texture");
+        row("#declare S = sphere { 0, 1", "sphere");
+        row("#if (1) fog { distance 3\n#end", "fog");
+        row("#macro M() sphere { 0, 1\n#end\nM()", "sphere");
+        row("#default { finish { phong 1 }", "#default");
+    }
+    void aMissingBraceIsToldOnceAndWhatFollowsIsRead() {
+        QFETCH(QString, block);
+        QFETCH(QString, closed);
+        const std::string text = "#version 3.7;\n" + block.toStdString() + "\n",
+                          rest =
+                              "global_settings { charset utf8 }\ncamera { location -5*z look_at 0 }\n"
+                              "\tplane { y, -1 pigment { rgb 1 } }\nbox { 0, 1 pigment { rgb 1 } }\n";
+        const ParseResult parsed = parseScene(text + rest);
+        QStringList told;
+        for (const Diagnostic& diagnostic : parsed.diagnostics)
+            if (diagnostic.severity != Severity::note) told += QString::fromStdString(diagnostic.message);
+        QVERIFY2(told.size() == 1 && told[0].startsWith("Expected `}` to close `" + closed + "` before `"),
+                 qPrintable(told.join(" | ")));
+        QCOMPARE(parsed.scene->camera.location[2], -5.0);
+        QVERIFY(parsed.scene->objects.size() >= 2);
+        // The fix is the brace, behind what was there; each of several has its own.
+        std::string mended = text + rest;
+        for (int braces = 0; braces < 3 && !parseScene(mended).ok(); ++braces) {
+            const std::vector<Diagnostic> left = parseScene(mended).diagnostics;
+            const auto mistake = std::find_if(left.begin(), left.end(), [](const Diagnostic& diagnostic) {
+                return diagnostic.severity == Severity::error;
+            });
+            QVERIFY(mistake->fixes.size() == 1 && mistake->fixes[0].replacement == " }");
+            mended.insert(mistake->fixes[0].range.begin, " }");
+        }
+        QVERIFY2(parseScene(mended).ok(), mended.c_str());
+    }
+
+    /// Where braces are even, and in the middle of a line, what cannot stand there is passed over.
+    void noBraceIsMissingWhereTheyAreEven() {
+        for (const char* text : {"camera { location -3*z\nsphere { 0, 1 }\nlook_at 0 }\n",
+                                 "camera { location -3*z // {\nsphere { 0, 1 }\nlook_at 0 }\n",
+                                 "camera { location -3*z sphere { 0, 1 } look_at 0 }\nsphere { 0, 1\n"}) {
+            const ParseResult parsed = parseScene(text);
+            QVERIFY(!parsed.diagnostics.empty());
+            QCOMPARE(parsed.diagnostics[0].message, std::string("`sphere` is not understood in `camera`."));
+            // It was taken for `Sphere` of shapes_old.inc.
+            QCOMPARE(parsed.diagnostics[0].hint, std::string());
+        }
+    }
+
+    /// Two of them have one each, and not more: what is behind the second may have no block around it.
+    void asManyBracesAreSuppliedAsAreMissing() {
+        const ParseResult parsed =
+            parseScene("fog { distance 1\nsphere { 0, 1\ncamera { look_at 0 }\nfinish { }\n");
+        std::vector<std::string> told;
+        for (const Diagnostic& diagnostic : parsed.diagnostics)
+            if (diagnostic.severity == Severity::error) told.push_back(diagnostic.message);
+        QCOMPARE(told.size(), std::size_t(3));
+        QCOMPARE(told[0], std::string("Expected `}` to close `fog` before `sphere`."));
+        QCOMPARE(told[1], std::string("Expected `}` to close `sphere` before `camera`."));
+    }
+
+    /// What was left of its condition was true again and again, until the budget was spent.
+    void aLoopWithAMistakeInItsConditionEnds() {
+        for (const char* loop : {"#while (I < 3) #warning \"round\" #declare I = 0; #end",
+                                 "#while 1) #warning \"round\" #end", "#while (1 #warning \"round\" #end"}) {
+            const ParseResult parsed = parseScene(loop);
+            QVERIFY2(parsed.diagnostics.size() < 5, loop);
+            for (const Diagnostic& diagnostic : parsed.diagnostics) QVERIFY(diagnostic.id != "loop-cut-off");
+        }
+    }
+
+    /// Behind a call without its `)` reading went on in the body of the next macro, round and round.
+    void aCallWithoutItsParenthesisIsToldOnce() {
+        const ParseResult parsed = parseScene(
+            "#macro Ball(Place) sphere { Place, 1 pigment { rgb 1 } } #end\nBall(x\nBall(y)\nBall(z)\n");
+        std::vector<Diagnostic> told;
+        for (const Diagnostic& diagnostic : parsed.diagnostics)
+            if (diagnostic.severity == Severity::error) told.push_back(diagnostic);
+        QCOMPARE(told.size(), std::size_t(1));
+        QVERIFY2(told[0].message.find("before this call") != std::string::npos, told[0].message.c_str());
+        QCOMPARE(parsed.scene->objects.size(), std::size_t(2));
     }
 
     void aMistakeIsToldOnce() {

@@ -33,7 +33,13 @@ void DefinitionReader::readOne(bool local, DirectiveScope& scope) {
     Target target;
     target.scopeCount = tokens_.context().symbols.scopeCount();
     const bool understood = readTarget(target);
-    if (!tokens_.expect("=", local ? "behind the name in `#local`" : "behind the name in `#declare`")) return;
+    const std::string_view directive = local ? "`#local`" : "`#declare`";
+    if (understood ? !tokens_.expect("=", "behind the name in " + std::string(directive))
+                   : !tokens_.accept("=")) {
+        skipLine(target.name.range);
+        if (understood) tokens_.context().failedNames.emplace(target.name.text);
+        return;
+    }
     scope.beginValue();
     std::optional<SourceRange> literal;
     std::optional<Value> value = ValueReader(tokens_).read(&literal);
@@ -70,6 +76,14 @@ void DefinitionReader::readOne(bool local, DirectiveScope& scope) {
 void DefinitionReader::skipRest() {
     while (tokens_.peek().kind != TokenKind::end && !tokens_.peek().is(";") && !tokens_.peek().is("}"))
         if (tokens_.next().is("{")) tokens_.skipBlock();
+}
+
+void DefinitionReader::skipLine(const SourceRange& start) {
+    const SourceText& text = tokens_.context().sources[start.file];
+    const auto line = text.position(start.begin).line;
+    while (tokens_.peek().kind != TokenKind::end && tokens_.peek().range.file == start.file &&
+           text.position(tokens_.peek().range.begin).line == line)
+        if (tokens_.next().is(";")) return;
 }
 
 bool DefinitionReader::readTarget(Target& target) {

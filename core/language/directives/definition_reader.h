@@ -33,6 +33,8 @@ class DefinitionReader {
     void assignComponent(const Target& target, const Value& value);
     void readOne(bool local, DirectiveScope& scope);
     void skipRest();
+    /// Up to the next `;`, or the end of the line in which `start` begins.
+    void skipLine(const SourceRange& start);
     /// Makes a slider of a literal that a name of the user's own text stands for; the index for the
     /// NumberValue.
     int sliderFor(const std::string& name, double value, const SourceRange& literal);

@@ -145,7 +145,8 @@ void DirectiveReader::skipToEnd(const SourceRange& range) {
 }
 
 double DirectiveReader::condition() {
-    if (!tokens_.expect("(", "after " + word_)) {
+    hasWholeCondition_ = tokens_.expect("(", "after " + word_);
+    if (!hasWholeCondition_) {
         // The float that stands there instead is taken for what was meant.
         scope_->beginValue();
         const double bare =
@@ -154,7 +155,7 @@ double DirectiveReader::condition() {
         return bare;
     }
     const double value = ExpressionParser(tokens_).parseCondition();
-    tokens_.expect(")", "to close the condition of " + word_);
+    hasWholeCondition_ = tokens_.expect(")", "to close the condition of " + word_);
     scope_->settle();
     return value;
 }
@@ -220,6 +221,8 @@ void DirectiveReader::runWhile() {
     block.range = range_;
     block.again = tokens_.state_->frames.back().lexer.offset();
     if (!truth()) return skipToEnd(block.range);
+    // What is left of a condition may never become false.
+    if (!hasWholeCondition_) block.kind = Kind::conditional;
     blocks().push_back(block);
 }
 

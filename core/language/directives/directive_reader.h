@@ -64,7 +64,7 @@ class DirectiveReader {
     void repeatWhile();
     void repeatFor();
     bool forGoesOn(const DirectiveBlock& block, double value) const;
-    /// `( EXPRESSION )`, comparisons and all.
+    /// `( EXPRESSION )`, comparisons and all, or what there is of it.
     double condition();
     bool truth() { return isTrue(condition()); }
     static bool isTrue(double value) { return value >= 1e-10 || value <= -1e-10; }
@@ -72,8 +72,9 @@ class DirectiveReader {
 
     ParseContext& context();
     TokenStream& tokens_;
-    SourceRange range_;  ///< the `#` and its word
-    std::string word_;   ///< "`#while`", for messages
+    SourceRange range_;              ///< the `#` and its word
+    std::string word_;               ///< "`#while`", for messages
+    bool hasWholeCondition_ = true;  ///< whether the last one had its parentheses
     DirectiveScope* scope_ = nullptr;
 };
 

@@ -96,8 +96,14 @@ bool MacroCaller::readArguments(const Token& name, const MacroValue& macro,
         }
         return false;
     }
-    return tokens_.accept(")") ||
-           tokens_.expect(")", "to close the arguments of the macro " + signature(macro));
+    if (tokens_.accept(")")) return true;
+    const std::string purpose = "to close the arguments of the macro " + signature(macro);
+    const TokenStream::State& state = *tokens_.state_;
+    if (state.frames.size() - 1 == state.floor) return tokens_.expect(")", purpose);
+    // What was found is a macro, which has been called to look at it.
+    tokens_.context().error("expected-token", state.frames[state.floor + 1].callSite,
+                            "Expected `)` " + purpose + " before this call.");
+    return false;
 }
 
 bool MacroCaller::readReference(Argument& argument) {

@@ -47,6 +47,7 @@ Operand combined(const Operand& a, const Operand& b, Combine combine) {
     Operand result;
     result.vector.count = count;
     result.vector.color = left.color || right.color;
+    result.failed = a.failed || b.failed;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
         result.vector.components[i] = combine(left.components[i], right.components[i]);
     return result;

@@ -92,6 +92,7 @@ bool PatternReader::parseName() {
     const Token name = tokens_.peek();
     opensList_ = false;
     volume_ = nullptr;
+    isVolume_ = false;
     const auto kind = kinds.find(name.text);
     if (kind == kinds.end()) return parseSpecialName(name);
     tokens_.next();
@@ -252,29 +253,33 @@ bool PatternReader::parseImagePattern() {
 }
 
 bool PatternReader::parseDensityFile() {
+    isVolume_ = true;
     tokens_.accept("df3");
     const SourceRange start = tokens_.peek().range;
     const std::string name = ExpressionParser(tokens_).parseString();
-    const SourceRange range = rangeSince(start, tokens_);
+    volume_ = readVolume(name, rangeSince(start, tokens_));
+    if (volume_) useVolume(DensityTable::Interpolation::none);
+    parseInterpolation();
+    return volume_ != nullptr;
+}
+
+std::shared_ptr<const DensityVolume> PatternReader::readVolume(const std::string& name,
+                                                               const SourceRange& range) {
     const auto file = findAsset(tokens_.context(), name, range);
     if (!file) {
         tokens_.context().error("no-file", range, file.whyNot("There is no file `" + name + "`."), file.hint);
-        return false;
-    }
-    std::string problem;
-    volume_ = readDensityFile(*file, problem);
-    if (!volume_) {
-        tokens_.context().error("bad-file", range, "The file `" + name + "` is not used: " + problem + ".");
-        return false;
+        return nullptr;
     }
     // Each mention reads the file.
     constexpr std::size_t bytesPerStep = 16;
     std::error_code failed;
     const std::uintmax_t size = std::filesystem::file_size(*file, failed);
-    if (!tokens_.charge(failed ? 0 : static_cast<std::size_t>(size) / bytesPerStep, range)) return false;
-    useVolume(DensityTable::Interpolation::none);
-    parseInterpolation();
-    return true;
+    if (!tokens_.charge(failed ? 0 : static_cast<std::size_t>(size) / bytesPerStep, range)) return nullptr;
+    std::string problem;
+    std::shared_ptr<const DensityVolume> volume = readDensityFile(*file, problem);
+    if (!volume)
+        tokens_.context().error("bad-file", range, "The file `" + name + "` is not used: " + problem + ".");
+    return volume;
 }
 
 void PatternReader::useVolume(DensityTable::Interpolation interpolation) {
@@ -287,8 +292,9 @@ void PatternReader::useVolume(DensityTable::Interpolation interpolation) {
 }
 
 bool PatternReader::parseInterpolation() {
-    if (!volume_ || !tokens_.accept("interpolate")) return false;
+    if (!isVolume_ || !tokens_.accept("interpolate")) return false;
     const double kind = ExpressionParser(tokens_).parseFloat();
+    if (!volume_) return true;
     useVolume(kind >= 2   ? DensityTable::Interpolation::cubic
               : kind >= 1 ? DensityTable::Interpolation::linear
                           : DensityTable::Interpolation::none);

@@ -42,6 +42,7 @@ class PatternReader {
     void parseSlopeRange(SlopeSettings::Range& range);
     bool parseImagePattern();
     bool parseDensityFile();
+    std::shared_ptr<const DensityVolume> readVolume(const std::string& name, const SourceRange& range);
     void useVolume(DensityTable::Interpolation interpolation);
     bool parseWave(const Token& word);
     bool parseCrackleModifier(const Token& word);
@@ -52,7 +53,8 @@ class PatternReader {
 
     TokenStream& tokens_;
     bool opensList_ = false;
-    std::shared_ptr<const DensityVolume> volume_;  ///< of `density_file`
+    bool isVolume_ = false;                        ///< whether the pattern is a `density_file`
+    std::shared_ptr<const DensityVolume> volume_;  ///< of it, where it could be read
 };
 
 /// Whether the word names a pattern that is read over and not simulated (`tiling`, `facets`).
