@@ -36,8 +36,8 @@ std::ptrdiff_t unclosedBlocks(std::string_view text, std::uint32_t file) {
 }
 
 bool beginsLine(std::string_view text, std::uint32_t place) {
-    const std::size_t before = text.find_last_not_of(" \t", place == 0 ? std::string_view::npos : place - 1);
-    return place == 0 || before == std::string_view::npos || text[before] == '\n' || text[before] == '\r';
+    const std::size_t before = text.substr(0, place).find_last_not_of(" \t");
+    return before == std::string_view::npos || text[before] == '\n' || text[before] == '\r';
 }
 
 /// A declared name or `clock` needs nothing more; `rgb` or `texture` does.
@@ -148,10 +148,9 @@ TokenStream::MissingBrace TokenStream::supplyBrace() {
     const SourceRange range = token.range;
     if (token.kind != TokenKind::word || cutOff()) return MissingBrace::none;
     const std::string_view text = context_.sources[range.file].text();
-    if (!beginsLine(text, range.begin)) return MissingBrace::none;
     const auto [missing, isNew] = state_->missingBraces.try_emplace(range.file);
     if (isNew) missing->second = unclosedBlocks(text, range.file);
-    if (missing->second <= 0) return MissingBrace::none;
+    if (missing->second <= 0 || !beginsLine(text, range.begin)) return MissingBrace::none;
     --missing->second;
     Token brace;
     brace.kind = TokenKind::symbol;
