@@ -180,6 +180,16 @@ class SymbolTableTest : public QObject {
         QCOMPARE(QString::fromStdString(closestName(name.toStdString(), candidates)), close);
     }
 
+    void namesOfAnyLengthAreCompared() {
+        for (const std::size_t length : {63, 64, 65, 67, 68, 5000}) {
+            const std::string name(length, 'a');
+            QCOMPARE(closestName("aaaa", {name}), std::string());
+            QCOMPARE(closestName(name, {"aaaa"}), std::string());
+        }
+        const std::string longest(64, 'a');
+        QCOMPARE(closestName(longest, {longest + 'b'}), longest + 'b');
+    }
+
     /// Letters that have changed places are one edit, wherever they stand; another case is half of one.
     void theNearestNameIsChosen() {
         const auto closest = [](const std::string& name, const std::vector<std::string>& candidates) {

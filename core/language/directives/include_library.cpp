@@ -14,14 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// functions.inc is known without a file: its functions are the program's built-ins.
-constexpr std::string_view builtinFunctions = "functions.inc";
-
 const NativeInclude* findNative(std::string_view name) {
     for (const NativeInclude& include : nativeIncludes())
         if (include.name == name) return &include;
-    static const NativeInclude functions{builtinFunctions, ""};
-    return name == builtinFunctions ? &functions : nullptr;
+    return nullptr;
 }
 
 }  // namespace
@@ -29,10 +25,9 @@ const NativeInclude* findNative(std::string_view name) {
 bool IncludeLibrary::isNative(std::string_view name) { return findNative(name) != nullptr; }
 
 std::vector<std::string> IncludeLibrary::nativeNames() {
-    std::vector<std::string> names{std::string(builtinFunctions)};
+    std::vector<std::string> names;
     for (const NativeInclude& include : nativeIncludes()) names.emplace_back(include.name);
     std::sort(names.begin(), names.end());
-    names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
 }
 

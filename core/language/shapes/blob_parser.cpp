@@ -58,7 +58,8 @@ class BlobReader {
 
     void parseComponent(bool cylinder) {
         const std::string word = cylinder ? "cylinder" : "sphere";
-        if (!tokens_.expect("{", "to begin `" + word + "`")) return;
+        if (!tokens_.accept("{"))
+            return reader_.fail(tokens_.peek().range, "Expected `{` to begin `" + word + "` here.");
         BlobComponent component;
         component.from = reader_.vector(cylinder ? "base" : "center");
         component.to = cylinder ? reader_.vector("cap") : component.from;
