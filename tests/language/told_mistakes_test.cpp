@@ -38,6 +38,8 @@ class ToldMistakesTest : public QObject {
         row("#declare A 5\nsphere { A, 1 }", "Expected `=` behind the name in `#declare`");
         row("#declare A = 1 + what; sphere { 2*A, 1 }", "`what` is not declared.");
         row("#declare rgb 5;", "`rgb` is a word of the language and cannot be declared.");
+        row("blob { threshold 1 sphere what }", "Expected `{` to begin `sphere`");
+        row("blob { threshold 1 cylinder what }", "Expected `{` to begin `cylinder`");
         row("#default { what }", "`what` is not understood in `#default`");
         row("global_settings { assumed_gamma -1 }", "`assumed_gamma` must be greater than 0.");
         row("global_settings { noise_generator 7 }", "`noise_generator` must be 1, 2 or 3.");
@@ -194,6 +196,30 @@ class ToldMistakesTest : public QObject {
             mended.insert(mistake->fixes[0].range.begin, " }");
         }
         QVERIFY2(parseScene(mended).ok(), mended.c_str());
+    }
+
+    /// It was left out.
+    void anObjectThatTheTextLeavesOpenIsThere() {
+        const std::string begun = "#version 3.7;\ncamera { look_at 0 }\n";
+        for (const char* object :
+             {"sphere { 0, 1 pigment { rgb 1 }\n", "union { sphere { 0, 1 }\nbox { 0, 1 }",
+              "isosurface { function { x } // }\n"}) {
+            const ParseResult parsed = parseScene(begun + object);
+            QVERIFY2(!parsed.scene->objects.empty(), object);
+            std::vector<Diagnostic> told;
+            for (const Diagnostic& diagnostic : parsed.diagnostics)
+                if (diagnostic.severity == Severity::error) told.push_back(diagnostic);
+            QVERIFY2(told.size() == 1 && told[0].fixes.size() == 1, object);
+            std::string mended = begun + object;
+            mended.insert(told[0].fixes[0].range.begin, told[0].fixes[0].replacement);
+            QVERIFY2(parseScene(mended).ok(), mended.c_str());
+        }
+        // Nothing is said of what had not been typed yet.
+        const ParseResult parsed = parseScene(begun + "isosurface { max_gradient 3");
+        QCOMPARE(
+            std::count_if(parsed.diagnostics.begin(), parsed.diagnostics.end(),
+                          [](const Diagnostic& diagnostic) { return diagnostic.severity != Severity::note; }),
+            1);
     }
 
     /// Where braces are even, and in the middle of a line, what cannot stand there is passed over.

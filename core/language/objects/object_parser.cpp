@@ -79,10 +79,11 @@ ObjectPointer ObjectParser::parseDrawn(const Token& keyword) {
     parseContents(statement);
     while (!tokens_.peek().is("}")) {
         if (parseModifier(statement)) continue;
-        const Token token = tokens_.peek();
-        if (token.kind == TokenKind::end) {
+        if (tokens_.peek().kind == TokenKind::end) {
             tokens_.expect("}", "to close `" + word + "`");
-            return nullptr;
+            if (tokens_.cutOff()) return nullptr;
+            if (statement.isosurface) statement.isosurface->excuse();
+            return finish(statement);
         }
         if (!statement.excused)
             passUnknownItem(tokens_, word);

@@ -121,8 +121,17 @@ bool TokenStream::expect(std::string_view wordOrSymbol, std::string_view purpose
     const Token& found = peek();
     std::string message = "Expected `" + std::string(wordOrSymbol) + "`";
     if (!purpose.empty()) message += " " + std::string(purpose);
-    context_.error("expected-token", found.range, message + ", but " + described(found) + ".");
+    Diagnostic mistake{
+        Severity::error, "expected-token", found.range, message + ", but " + described(found) + ".", {}, {}};
+    if (wordOrSymbol == "}" && found.kind == TokenKind::end) mistake.fixes = braceFix();
+    context_.report(std::move(mistake));
     return false;
+}
+
+std::vector<QuickFix> TokenStream::braceFix() const {
+    const SourceRange& last = state_->lastRange;
+    if (last.file != 0) return {};
+    return {{"Add `}`", {0, last.end, last.end}, " }"}};
 }
 
 void TokenStream::skipBlock() {

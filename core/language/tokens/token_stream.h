@@ -57,6 +57,8 @@ class TokenStream {
     /// for blocks around one that was closed at the same place. `none` where nothing is done.
     enum class MissingBrace : std::uint8_t { none, first, around };
     MissingBrace supplyBrace();
+    /// Adds a `}` behind the token taken last; nothing in a text other than the scene.
+    std::vector<QuickFix> braceFix() const;
 
     /// Diagnostics, symbols and options of this parse; shared with the parsers.
     ParseContext& context() { return context_; }

@@ -187,16 +187,14 @@ bool closeUnclosed(TokenStream& tokens, std::string_view block) {
     if (!isReservedWord(first.text)) return false;
     const TokenStream::MissingBrace missing = tokens.supplyBrace();
     if (missing != TokenStream::MissingBrace::first) return missing != TokenStream::MissingBrace::none;
-    const SourceRange last = tokens.lastRange();
-    Diagnostic message{
-        Severity::error,
-        "unclosed-block",
-        first.range,
-        "Expected `}` to close `" + std::string(block) + "` before `" + std::string(first.text) + "`.",
-        {},
-        {}};
-    if (last.file == 0) message.fixes.push_back({"Add `}`", {0, last.end, last.end}, " }"});
-    tokens.context().report(std::move(message));
+    tokens.context().report(
+        {Severity::error,
+         "unclosed-block",
+         first.range,
+         "Expected `}` to close `" + std::string(block) + "` before `" + std::string(first.text) + "`.",
+         {},
+         {},
+         tokens.braceFix()});
     return true;
 }
 
