@@ -4,6 +4,7 @@
 #include <QTest>
 #include <algorithm>
 
+#include "core/evaluate/tape/tape_cost.h"
 #include "core/function/graph_builder.h"
 
 using namespace isoscope;
@@ -159,6 +160,41 @@ class TapeTest : public QObject {
         const TapeLoop& loop = tape->loop(tape->instructions()[0].index);
         QCOMPARE(loop.body->instructions().size(), std::size_t(1));
         QCOMPARE(loop.captured, std::vector<Slot>{1});
+    }
+
+    void costsKnowNoiseAndLength() {
+        const auto cost = [](auto make) {
+            FunctionGraph graph;
+            const Variables v(graph);
+            const Expression root = make(graph, v);
+            return TapeCost(*compile(graph, root));
+        };
+        for (const Operation noise : {Operation::noise, Operation::noiseGradientX, Operation::noiseGradientY,
+                                      Operation::noiseGradientZ}) {
+            const TapeCost found = cost([noise](FunctionGraph& graph, const Variables& v) -> Expression {
+                return {graph, graph.ternary(noise, v.x.node(), v.y.node(), v.z.node())};
+            });
+            QVERIFY(found.holdsNoise && !found.cheap && !found.isLong);
+        }
+        const auto sines = [&](int count) {
+            return cost([count](FunctionGraph&, const Variables& v) {
+                Expression chain = v.x;
+                for (int k = 0; k < count; ++k) chain = sin(chain);
+                return chain;
+            });
+        };
+        QVERIFY(sines(10).cheap && !sines(11).cheap && !sines(10).holdsNoise);
+        QVERIFY(sines(41).isLong && !sines(40).isLong);
+        // A loop counts by what it repeats.
+        const TapeCost loop = cost([](FunctionGraph& graph, const Variables& v) -> Expression {
+            FunctionGraph body;
+            const NodeId term =
+                body.ternary(Operation::noise, body.variable(0), body.variable(1), body.variable(1));
+            const NodeId captured[] = {v.y.node()};
+            return {graph, graph.loop(Operation::sum, graph.constant(1), v.x.node(),
+                                      finish(std::move(body), {term}, 2), captured)};
+        });
+        QVERIFY(loop.holdsNoise && !loop.cheap && loop.isLong);
     }
 };
 

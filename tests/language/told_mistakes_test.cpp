@@ -214,6 +214,8 @@ class ToldMistakesTest : public QObject {
             mended.insert(told[0].fixes[0].range.begin, told[0].fixes[0].replacement);
             QVERIFY2(parseScene(mended).ok(), mended.c_str());
         }
+        const ParseResult function = parseScene(begun + "isosurface { function { x*x + y*y + z*z - 1");
+        QCOMPARE(function.scene->objects.size(), std::size_t(1));
         // Nothing is said of what had not been typed yet.
         const ParseResult parsed = parseScene(begun + "isosurface { max_gradient 3");
         QCOMPARE(

@@ -9,9 +9,7 @@ namespace {
 
 bool containsNoise(const Tape& tape) {
     const auto isNoise = [](const Instruction& instruction) {
-        const Operation operation = instruction.operation;
-        return operation == Operation::noise || operation == Operation::noiseGradientX ||
-               operation == Operation::noiseGradientY || operation == Operation::noiseGradientZ;
+        return instruction.operation == Operation::noise || isVectorNoise(instruction.operation);
     };
     return std::any_of(tape.instructions().begin(), tape.instructions().end(), isNoise) ||
            std::any_of(tape.loops().begin(), tape.loops().end(),

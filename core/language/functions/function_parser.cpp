@@ -135,7 +135,9 @@ void FunctionParser::parseExpression(FunctionScope& scope, FunctionValue& value,
     const FunctionOperand result = expressions.parse();
     const auto ends = [&] {
         const Token& next = tokens_.peek();
-        return untilEnd ? next.kind == TokenKind::end : next.is("}") || closeUnclosed(tokens_, "function");
+        // Where the text ends inside the braces, endBody() tells it.
+        return next.kind == TokenKind::end ||
+               (!untilEnd && (next.is("}") || closeUnclosed(tokens_, "function")));
     };
     if (!expressions.failed() && !ends())
         expressions.failExpected(untilEnd ? "an operator or the end of the function"
@@ -253,10 +255,10 @@ void FunctionParser::endBody(bool failed, std::uint32_t begin, bool untilEnd) {
     if (failed)
         tokens_.skipBlock();
     else if (!tokens_.expect("}", "to close the function"))
-        failed_ = true;
+        failed_ = tokens_.peek().kind != TokenKind::end || tokens_.cutOff();
     const SourceRange& last = tokens_.lastRange();
     if (last.file == bodyRange_.file && last.begin >= begin)
-        bodyRange_ = {last.file, begin, last.begin};
+        bodyRange_ = {last.file, begin, context().sources.slice(last) == "}" ? last.begin : last.end};
     else
         bodyRange_ = {};
 }
