@@ -37,6 +37,8 @@ class ToldMistakesTest : public QObject {
         row("#declare A what 5;\nsphere { A, 1 }", "Expected `=` behind the name in `#declare`");
         row("#declare A 5\nsphere { A, 1 }", "Expected `=` behind the name in `#declare`");
         row("#declare A = 1 + what; sphere { 2*A, 1 }", "`what` is not declared.");
+        row("#declare T texture { } sphere { 0, 1 texture { T } }",
+            "Expected `=` behind the name in `#declare`");
         row("#declare rgb 5;", "`rgb` is a word of the language and cannot be declared.");
         row("blob { threshold 1 sphere what }", "Expected `{` to begin `sphere`");
         row("blob { threshold 1 cylinder what }", "Expected `{` to begin `cylinder`");
@@ -169,6 +171,8 @@ class ToldMistakesTest : public QObject {
         row("#if (1) fog { distance 3\n#end", "fog");
         row("#macro M() sphere { 0, 1\n#end\nM()", "sphere");
         row("#default { finish { phong 1 }", "#default");
+        row("#declare K = 3; #while (K > 0) sphere { 0, 1\nfog { distance 3 } #declare K = K - 1; #end",
+            "sphere");
     }
     void aMissingBraceIsToldOnceAndWhatFollowsIsRead() {
         QFETCH(QString, block);
@@ -222,6 +226,42 @@ class ToldMistakesTest : public QObject {
             std::count_if(parsed.diagnostics.begin(), parsed.diagnostics.end(),
                           [](const Diagnostic& diagnostic) { return diagnostic.severity != Severity::note; }),
             1);
+    }
+
+    /// What was between them was read word by word, as so many mistakes.
+    void aMissingOpeningBraceIsToldOnceAndTheBlockIsRead_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<bool>("fixed");
+        QTest::newRow("missing") << "sphere 0, 1 pigment { rgb 1 } }" << true;
+        QTest::newRow("replaced") << "sphere what 0, 1 pigment { rgb 1 } }" << false;
+        QTest::newRow("behind a word") << "sphere what { 0, 1 pigment { rgb 1 } }" << false;
+        QTest::newRow("inside") << "sphere { 0, 1 pigment rgb 1 } }" << true;
+        QTest::newRow("twice") << "sphere { 0, 1 texture pigment rgb 1 } } }" << true;
+        QTest::newRow("function") << "isosurface { function x } pigment { rgb 1 } }" << true;
+        QTest::newRow("map") << "sphere { 0, 1 pigment { gradient y color_map [0 rgb 1] [1 rgb 0] } } }"
+                             << true;
+        QTest::newRow("declared") << "#declare S = sphere 0, 1 pigment { rgb 1 } }\nobject { S }" << true;
+        QTest::newRow("loop") << "union { #for (K, 1, 3) sphere 0, 1 pigment { rgb 1 } } #end }" << true;
+        QTest::newRow("argument") << "#macro M(P) sphere { 0, 1 pigment { P } } #end\nM(pigment rgb 1 })"
+                                  << true;
+    }
+    void aMissingOpeningBraceIsToldOnceAndTheBlockIsRead() {
+        QFETCH(QString, text);
+        QFETCH(bool, fixed);
+        std::string scene = text.toStdString() + "\nbox { 0, 1 pigment { rgb 1 } }\n";
+        const std::size_t mistakes = QTest::currentDataTag() == std::string("twice") ? 2 : 1;
+        for (std::size_t left = mistakes; left > 0; --left) {
+            const ParseResult parsed = parseScene(scene);
+            QVERIFY(parsed.scene->objects.size() >= 2);
+            std::vector<Diagnostic> told;
+            for (const Diagnostic& diagnostic : parsed.diagnostics)
+                if (diagnostic.severity == Severity::error) told.push_back(diagnostic);
+            QCOMPARE(told.size(), left);
+            QVERIFY2(told[0].message.starts_with("Expected `{` to begin"), told[0].message.c_str());
+            QCOMPARE(told[0].fixes.size(), std::size_t(fixed));
+            if (fixed) scene.insert(told[0].fixes[0].range.begin, told[0].fixes[0].replacement);
+        }
+        QCOMPARE(parseScene(scene).ok(), fixed);
     }
 
     /// Where braces are even, and in the middle of a line, what cannot stand there is passed over.

@@ -124,14 +124,49 @@ bool TokenStream::expect(std::string_view wordOrSymbol, std::string_view purpose
     Diagnostic mistake{
         Severity::error, "expected-token", found.range, message + ", but " + described(found) + ".", {}, {}};
     if (wordOrSymbol == "}" && found.kind == TokenKind::end) mistake.fixes = braceFix();
+    if (wordOrSymbol != "{") {
+        context_.report(std::move(mistake));
+        return false;
+    }
+    const bool supplied = supplyOpening(mistake);
     context_.report(std::move(mistake));
-    return false;
+    return supplied;
 }
 
-std::vector<QuickFix> TokenStream::braceFix() const {
+/// A stray word in front of the brace, or in its place, is passed over.
+bool TokenStream::supplyOpening(Diagnostic& mistake) {
+    const Token stray = peek();
+    const bool isStray =
+        stray.kind == TokenKind::word && !isReservedWord(stray.text) && !context_.symbols.find(stray.text);
+    if (isStray) {
+        next();
+        if (accept("{")) return true;
+    }
+    const std::pair place(stray.range.file, stray.range.begin);
+    if (!state_->openings.contains(place)) {
+        std::ptrdiff_t& missing = missingBraces(place.first);
+        if (missing >= 0 || stray.kind == TokenKind::end) {
+            if (isStray) pushBack(stray);
+            return false;
+        }
+        ++missing;
+        state_->openings.insert(place);
+    }
+    ++state_->reach.depth;
+    if (!isStray) mistake.fixes = braceFix("{");
+    return true;
+}
+
+std::vector<QuickFix> TokenStream::braceFix(std::string_view brace) const {
     const SourceRange& last = state_->lastRange;
     if (last.file != 0) return {};
-    return {{"Add `}`", {0, last.end, last.end}, " }"}};
+    return {{"Add `" + std::string(brace) + "`", {0, last.end, last.end}, " " + std::string(brace)}};
+}
+
+std::ptrdiff_t& TokenStream::missingBraces(std::uint32_t file) {
+    const auto [missing, isNew] = state_->missingBraces.try_emplace(file);
+    if (isNew) missing->second = unclosedBlocks(context_.sources[file].text(), file);
+    return missing->second;
 }
 
 void TokenStream::skipBlock() {
@@ -154,19 +189,25 @@ void TokenStream::skipStatement() {
 
 TokenStream::MissingBrace TokenStream::supplyBrace() {
     const Token& token = peek();
-    const SourceRange range = token.range;
     if (token.kind != TokenKind::word || cutOff()) return MissingBrace::none;
-    const std::string_view text = context_.sources[range.file].text();
-    const auto [missing, isNew] = state_->missingBraces.try_emplace(range.file);
-    if (isNew) missing->second = unclosedBlocks(text, range.file);
-    if (missing->second <= 0 || !beginsLine(text, range.begin)) return MissingBrace::none;
-    --missing->second;
+    const SourceRange place = {token.range.file, token.range.begin, token.range.begin};
+    const bool isAround = lastRange() == place;
+    if (!isAround) state_->suppliedHere = 0;
+    int& granted = state_->closings[{place.file, place.begin}];
+    if (state_->suppliedHere == granted) {
+        std::ptrdiff_t& missing = missingBraces(place.file);
+        if (missing <= 0 || !beginsLine(context_.sources[place.file].text(), place.begin))
+            return MissingBrace::none;
+        --missing;
+        ++granted;
+    }
+    ++state_->suppliedHere;
     Token brace;
     brace.kind = TokenKind::symbol;
     brace.text = "}";
-    brace.range = {range.file, range.begin, range.begin};
+    brace.range = place;
     state_->ahead.push_back(std::move(brace));
-    return std::exchange(state_->supplied, range) == range ? MissingBrace::around : MissingBrace::first;
+    return isAround ? MissingBrace::around : MissingBrace::first;
 }
 
 const SourceRange& TokenStream::lastRange() const { return state_->lastRange; }

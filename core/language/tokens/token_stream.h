@@ -45,7 +45,9 @@ class TokenStream {
 
     /// Takes the next token if it is this word or symbol.
     bool accept(std::string_view wordOrSymbol);
-    /// Takes it or reports "expected `}` ...": `purpose` completes the sentence ("to close `isosurface`").
+    /// Takes it or reports "expected `}` ...": `purpose` completes the sentence ("to close `isosurface`"). A
+    /// `{` is told, too, but counts as taken where a text has fewer of them than `}`, or only a stray word
+    /// stands in front of it.
     bool expect(std::string_view wordOrSymbol, std::string_view purpose = {});
     /// Skips to behind the brace that closes the block at hand; the opening brace has been read.
     void skipBlock();
@@ -57,8 +59,8 @@ class TokenStream {
     /// for blocks around one that was closed at the same place. `none` where nothing is done.
     enum class MissingBrace : std::uint8_t { none, first, around };
     MissingBrace supplyBrace();
-    /// Adds a `}` behind the token taken last; nothing in a text other than the scene.
-    std::vector<QuickFix> braceFix() const;
+    /// Adds the brace behind the token taken last; nothing in a text other than the scene.
+    std::vector<QuickFix> braceFix(std::string_view brace = "}") const;
 
     /// Diagnostics, symbols and options of this parse; shared with the parsers.
     ParseContext& context() { return context_; }
@@ -98,6 +100,9 @@ class TokenStream {
     /// An end token in front of `token`, which is read again later.
     Token stopAt(Token token);
     void leaveFrame();
+    bool supplyOpening(Diagnostic& mistake);
+    /// How many `}` the text lacks, but for those that have been supplied; below 0 it lacks `{`.
+    std::ptrdiff_t& missingBraces(std::uint32_t file);
     void reportUnclosedBlocks();
     Token endToken() const;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -67,9 +68,12 @@ struct TokenStream::State {
     ValueParser valueParser;
     DefaultParser defaultParser;
     IncludeLibrary includes;
-    /// By text: how many `}` it lacks, but for those that have been supplied.
+    /// TokenStream::missingBraces() by text.
     std::map<std::uint32_t, std::ptrdiff_t> missingBraces;
-    SourceRange supplied;  ///< the token in front of which the last one was
+    /// Where braces have been supplied, as text and place: loops and macros find them there each time.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> closings;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> openings;
+    int suppliedHere = 0;  ///< how many closing ones at the token at hand
 };
 
 /// While it lives, tokens are read for a directive (or a macro call) that began in the innermost frame;

@@ -175,6 +175,8 @@ void reportUnknownName(ParseContext& context, const Token& word) {
 void reportUnknownWord(ParseContext& context, const std::string& id, const Token& word, std::string message,
                        std::string_view place, const std::function<std::vector<std::string>()>& candidates,
                        std::optional<SourceRange> about) {
+    // Its declaration held a mistake, which has been told.
+    if (context.failedNames.contains(word.text)) return;
     Diagnostic unknown{Severity::error, id, about.value_or(word.range), std::move(message), {}, {}};
     if (word.kind != TokenKind::word || !context.keeps(unknown)) return context.report(std::move(unknown));
     const Suggestion& suggestion =
