@@ -122,6 +122,51 @@ class BoxEvaluatorTest : public QObject {
         }
     }
 
+    /// Rounding leads to no values that the operation cannot have, so that roots, logarithms and arc
+    /// functions behind it are defined.
+    void rangesEndWhereTheirOperationDoes() {
+        using enum Operation;
+        struct Case {
+            Operation operation;
+            double low, high, least, most;
+        };
+        constexpr double any = std::numeric_limits<double>::quiet_NaN();
+        const Case cases[] = {{exponential, -2000, -1000, 0, any},
+                              {exponential, -1000, 1, 0, any},
+                              {square, -1e-200, 1e-200, 0, any},
+                              {square, 1e-200, 2e-200, 0, any},
+                              {absolute, -1, 2, 0, 2},
+                              {squareRoot, 0, 4, 0, 2},
+                              {sine, 1, 2, any, 1},
+                              {sine, -2, 5, -1, 1},
+                              {cosine, -1, 1, any, 1},
+                              {cosine, 0, 100, -1, 1},
+                              {hyperbolicTangent, 30, 40, any, 1},
+                              {hyperbolicCosine, -1, 2, 1, any},
+                              {hyperbolicTangent, -40, 40, -1, 1},
+                              {floor, -0.5, 0.5, -1, 0},
+                              {ceiling, -0.5, 0.5, 0, 1},
+                              {triangleWave, -3, 3, 0, 1}};
+        for (const auto& [target, set] : instructionSets()) {
+            const ForcedInstructionSet forced(target);
+            for (const Case& each : cases) {
+                FunctionGraph graph;
+                const NodeId root = graph.unary(each.operation, graph.variable(0));
+                BoxEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+                BoxLanes boxes;
+                boxes.low[0].fill(each.low);
+                boxes.high[0].fill(each.high);
+                std::array<Interval, batchLanes> ranges;
+                evaluator.evaluate(boxes, ranges);
+                for (const Interval& range : ranges)
+                    QVERIFY2((std::isnan(each.least) || range.low == each.least) &&
+                                 (std::isnan(each.most) || range.high == each.most),
+                             QByteArray(set) + ", " + std::string(name(each.operation)).c_str() + ": " +
+                                 text(range));
+            }
+        }
+    }
+
     void randomFunctionsHoldTheirExactValues() {
         for (const auto& [target, set] : instructionSets()) {
             const ForcedInstructionSet forced(target);

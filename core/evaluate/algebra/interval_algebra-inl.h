@@ -96,10 +96,15 @@ class IntervalAlgebra {
         return rising(p, [](Vector v) HWY_ATTR { return HWY_NAMESPACE::hyperbolicSine(v); });
     }
     HWY_INLINE Number hyperbolicCosine(const Number& p) const {
-        return rising(absoluteOf(p), [](Vector v) HWY_ATTR { return HWY_NAMESPACE::hyperbolicCosine(v); });
+        Number result = rising(absoluteOf(p), [](Vector v) HWY_ATTR { return HWY_NAMESPACE::hyperbolicCosine(v); });
+        result.minusLow = hn::Min(result.minusLow, constantVector(-1));
+        return result;
     }
     HWY_INLINE Number hyperbolicTangent(const Number& p) const {
-        return rising(p, [](Vector v) HWY_ATTR { return HWY_NAMESPACE::hyperbolicTangent(v); });
+        Number result = rising(p, [](Vector v) HWY_ATTR { return HWY_NAMESPACE::hyperbolicTangent(v); });
+        result.minusLow = hn::Min(result.minusLow, constantVector(1));
+        result.high = hn::Min(result.high, constantVector(1));
+        return result;
     }
     HWY_INLINE Number areaSine(const Number& p) const {
         return rising(p, [](Vector v) HWY_ATTR { return HWY_NAMESPACE::areaSine(v); });
