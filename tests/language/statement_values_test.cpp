@@ -357,6 +357,26 @@ class StatementValuesTest : public QObject {
     }
 
     /// The first is where the checker has 1.
+    /// A texture begins with what was declared as a part of one.
+    void texturesBeginWithDeclaredParts() {
+        const ParseResult parsed = parseScene(
+            "#declare P = pigment { rgb 0.25 } #declare N = normal { bumps 0.5 } #declare F = finish { phong "
+            "0.5 }"
+            "sphere { 0, 1 texture { P finish { F } normal { N } } } sphere { 3*x, 1 texture { F pigment { P "
+            "} } }"
+            "sphere { 6*x, 1 texture { N pigment { P } } }");
+        QVERIFY(parsed.ok());
+        const std::string finishes[] = {"phong 0.5", "phong 0.5", ""};
+        const bool bumps[] = {true, false, true};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto id = static_cast<std::size_t>(parsed.scene->objects.at(i).material);
+            const Material& material = parsed.scene->materials.at(id);
+            QCOMPARE(description(material.pigment), std::string("0.25 0.25 0.25"));
+            QCOMPARE(description(material.finish), finishes[i]);
+            QCOMPARE(static_cast<bool>(material.normal), bumps[i]);
+        }
+    }
+
     void tilesAreACheckerFromItsEnd() {
         const ParseResult parsed = parseScene(
             "sphere { 0, 1 texture { tiles { texture { pigment { rgb 0.25 } } tile2 texture { pigment { rgb "
