@@ -39,6 +39,7 @@ class ToldMistakesTest : public QObject {
         row("#declare A = 1 + what; sphere { 2*A, 1 }", "`what` is not declared.");
         row("#declare T texture { } sphere { 0, 1 texture { T } }",
             "Expected `=` behind the name in `#declare`");
+        row("#declare A = <1 ; sphere { A, 1 }", "Expected `>` to close the vector");
         row("#declare rgb 5;", "`rgb` is a word of the language and cannot be declared.");
         row("blob { threshold 1 sphere what }", "Expected `{` to begin `sphere`");
         row("blob { threshold 1 cylinder what }", "Expected `{` to begin `cylinder`");

@@ -73,7 +73,8 @@ Operand ExpressionParser::vectorLiteral() {
         tokens_.accept(">");
         return fail({}, {}, {});
     }
-    tokens_.expect(">", "to close the vector");
+    const bool isClosed = tokens_.expect(">", "to close the vector");
+    if (!isClosed && vector.count < 2) return fail({}, {}, {});
     if (vector.count < 2 || vector.count > 5)
         return fail("bad-vector", rangeFrom(begin),
                     "A vector has 2 to 5 components, not " + std::to_string(vector.count) + ".");
