@@ -95,6 +95,18 @@ class FunctionParserTest : public QObject {
         QCOMPARE(complaint(body.toStdString()), expected);
     }
 
+    /// Also behind a form, which ends by itself.
+    void aFunctionAloneIsTheWholeText() {
+        for (const char* body : {"internal(4)", "pattern { bozo }", "x + 1"}) {
+            QVERIFY2(parseFunction(body).ok(), body);
+            const ParsedFunction more = parseFunction(std::string(body) + " y");
+            QVERIFY2(!more.ok() && !more.value.function.valid(), body);
+            QCOMPARE(more.diagnostics.size(), std::size_t(1));
+            const std::string& message = more.diagnostics[0].message;
+            QVERIFY2(message.find("the end of the function") != std::string::npos, message.c_str());
+        }
+    }
+
     void suggestsTheNameThatWasMeant() {
         const ParsedFunction parsed = parseFunction("f_tours(x,y,z,1,2)");
         QCOMPARE(parsed.diagnostics.front().hint, std::string("did you mean `f_torus`?"));
