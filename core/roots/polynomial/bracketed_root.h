@@ -6,10 +6,11 @@
 namespace isoscope {
 
 /// A place where f changes sign between a and b, where it has the values fa and fb of opposite signs, to
-/// within a few units in the last place: secants (Illinois), with a halving wherever they get stuck.
+/// within a few units in the last place: secants (Illinois), and a halving in every fourth step, so that a
+/// step of f takes some 200 values and no more.
 template <class F>
 double bracketedRoot(const F& f, double a, double b, double fa, double fb) {
-    constexpr int stepLimit = 120;
+    constexpr int stepLimit = 220;
     int side = 0;
     for (int step = 0; step < stepLimit; ++step) {
         double t = (a * fb - b * fa) / (fb - fa);
