@@ -356,7 +356,6 @@ class StatementValuesTest : public QObject {
         });
     }
 
-    /// The first is where the checker has 1.
     /// A texture begins with what was declared as a part of one.
     void texturesBeginWithDeclaredParts() {
         const ParseResult parsed = parseScene(
@@ -377,6 +376,7 @@ class StatementValuesTest : public QObject {
         }
     }
 
+    /// The first is where the checker has 1.
     void tilesAreACheckerFromItsEnd() {
         const ParseResult parsed = parseScene(
             "sphere { 0, 1 texture { tiles { texture { pigment { rgb 0.25 } } tile2 texture { pigment { rgb "

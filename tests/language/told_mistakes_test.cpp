@@ -237,6 +237,7 @@ class ToldMistakesTest : public QObject {
         QTest::newRow("replaced") << "sphere what 0, 1 pigment { rgb 1 } }" << false;
         QTest::newRow("behind a word") << "sphere what { 0, 1 pigment { rgb 1 } }" << false;
         QTest::newRow("inside") << "sphere { 0, 1 pigment rgb 1 } }" << true;
+        QTest::newRow("component") << "blob { threshold 0.5 sphere 0, 1, 1 } pigment { rgb 1 } }" << true;
         QTest::newRow("twice") << "sphere { 0, 1 texture pigment rgb 1 } } }" << true;
         QTest::newRow("function") << "isosurface { function x } pigment { rgb 1 } }" << true;
         QTest::newRow("map") << "sphere { 0, 1 pigment { gradient y color_map [0 rgb 1] [1 rgb 0] } } }"

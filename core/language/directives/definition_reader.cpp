@@ -33,9 +33,8 @@ void DefinitionReader::readOne(bool local, DirectiveScope& scope) {
     Target target;
     target.scopeCount = tokens_.context().symbols.scopeCount();
     const bool understood = readTarget(target);
-    const std::string_view directive = local ? "`#local`" : "`#declare`";
-    if (understood ? !tokens_.expect("=", "behind the name in " + std::string(directive))
-                   : !tokens_.accept("=")) {
+    const std::string_view purpose = local ? "behind the name in `#local`" : "behind the name in `#declare`";
+    if (!(understood ? tokens_.expect("=", purpose) : tokens_.accept("="))) {
         skipLine(target.name.range);
         if (understood) tokens_.context().failedNames.emplace(target.name.text);
         return;

@@ -82,6 +82,12 @@ bool ShapeReader::flag(const char* word, bool& value) {
     return true;
 }
 
+bool ShapeReader::opens(const std::string& part) {
+    const bool opened = tokens_.expect("{", "to begin `" + part + "`");
+    failed_ |= !opened;
+    return opened;
+}
+
 void ShapeReader::fail(const SourceRange& range, const std::string& message, const std::string& hint) {
     if (!failed_) tokens_.context().error("bad-shape", range, message, hint);
     failed_ = true;

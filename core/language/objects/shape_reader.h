@@ -28,6 +28,9 @@ class ShapeReader {
     int count(const std::string& name, int least, int most);
     /// Whether the word comes next; it is taken, with the `on` or `off` behind it.
     bool flag(const char* word, bool& value);
+    /// Takes the `{` of a part of the shape, as TokenStream::expect() does. False without one: then no shape
+    /// is made.
+    bool opens(const std::string& part);
 
     /// Reports an error of the statement; no shape is made of it then. Only the first one is told: others may
     /// follow from it.

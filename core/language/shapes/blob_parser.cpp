@@ -58,8 +58,7 @@ class BlobReader {
 
     void parseComponent(bool cylinder) {
         const std::string word = cylinder ? "cylinder" : "sphere";
-        if (!tokens_.accept("{"))
-            return reader_.fail(tokens_.peek().range, "Expected `{` to begin `" + word + "` here.");
+        if (!reader_.opens(word)) return;
         BlobComponent component;
         component.from = reader_.vector(cylinder ? "base" : "center");
         component.to = cylinder ? reader_.vector("cap") : component.from;

@@ -133,7 +133,8 @@ bool TokenStream::expect(std::string_view wordOrSymbol, std::string_view purpose
     return supplied;
 }
 
-/// A stray word in front of the brace, or in its place, is passed over.
+/// Whether the `{` that is missing here counts as read; the mistake gets its fix then. A stray word in front
+/// of a brace, or in its place, is passed over.
 bool TokenStream::supplyOpening(Diagnostic& mistake) {
     const Token stray = peek();
     const bool isStray =
