@@ -40,16 +40,4 @@ void povrayNormals(std::span<const glm::dvec3> points, const RootSettings& setti
     }
 }
 
-/// Where POV-Ray's halving of [near, far] ends that finds a change of sign at `root`: up to the accuracy
-/// (`tolerance`, by t) behind it. There the normal is taken, which at a jump makes all the difference. `root`
-/// where doubles cannot be halved any more.
-inline double povrayHit(double near, double far, double tolerance, double root) {
-    while (far - near >= tolerance) {
-        const double middle = (near + far) / 2;
-        if (!(near < middle && middle < far)) return root;
-        (root <= middle ? far : near) = middle;
-    }
-    return far;
-}
-
 }  // namespace isoscope

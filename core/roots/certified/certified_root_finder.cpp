@@ -9,6 +9,7 @@
 #include "core/evaluate/prepared_function.h"
 #include "core/roots/certified/line_points.h"
 #include "core/roots/lipschitz/tape_field.h"
+#include "core/roots/povray_hits.h"
 #include "core/roots/povray_normal.h"
 
 namespace isoscope {
@@ -290,22 +291,27 @@ void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest&
 /// At a jump the gradient tells nothing about the face that is seen: what POV-Ray shows there is the height
 /// of the jump along the axes that lead across it from where its halving ends.
 void CertifiedRootFinder::setJumpNormals(const LineColumns& lines, FirstRoots& roots) {
-    std::vector<glm::dvec3> places, normals;
-    for (const FirstRoots::Other& other : roots.others) {
-        if (other.root.kind != RootKind::jump) continue;
-        const LineQuery line = lines[other.line];
-        const double tolerance = settings_.accuracy;
-        places.push_back(line.origin +
-                         povrayHit(line.near, line.far, tolerance, other.root.t) * line.direction);
+    std::vector<FirstRoots::Other*> jumps;
+    for (FirstRoots::Other& other : roots.others)
+        if (other.root.kind == RootKind::jump) jumps.push_back(&other);
+    if (jumps.empty()) return;
+    enum Column : std::size_t { root, near, far };
+    jumps_.reserve(jumps.size());
+    for (std::size_t k = 0; k < jumps.size(); ++k) {
+        jumps_[root][k] = jumps[k]->root.t;
+        jumps_[near][k] = lines.near[jumps[k]->line];
+        jumps_[far][k] = lines.far[jumps[k]->line];
     }
-    if (places.empty()) return;
-    normals.resize(places.size());
+    endPovrayHalvings(jumps.size(), settings_.accuracy, jumps_[root], jumps_[near], jumps_[far]);
+    std::vector<glm::dvec3> places(jumps.size()), normals(jumps.size());
+    for (std::size_t k = 0; k < jumps.size(); ++k) {
+        const LineQuery line = lines[jumps[k]->line];
+        places[k] = line.origin + jumps_[far][k] * line.direction;
+    }
     povrayNormals<batchLanes>(
         places, settings_, [&](auto x, auto y, auto z, auto values) { points_.evaluate(x, y, z, values); },
         normals);
-    std::size_t next = 0;
-    for (FirstRoots::Other& other : roots.others)
-        if (other.root.kind == RootKind::jump) other.normal = normals[next++];
+    for (std::size_t k = 0; k < jumps.size(); ++k) jumps[k]->normal = normals[k];
 }
 
 /// False, and nothing is done, where it does not pay.

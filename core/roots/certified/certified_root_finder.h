@@ -19,6 +19,7 @@
 #include "core/roots/certified/general_search_lanes.h"
 #include "core/roots/cells/slab_search.h"
 #include "core/roots/certified/tangent_polish.h"
+#include "core/roots/column_table.h"
 #include "core/roots/first_roots.h"
 #include "core/roots/line_root_finder.h"
 #include "core/roots/lipschitz/lipschitz_root_finder.h"
@@ -141,6 +142,7 @@ class CertifiedRootFinder : public LineRootFinder {
     std::vector<std::uint8_t> wanted_;  ///< lines that can have roots and are not settled by their entry wall
     BundleMarch bundles_;
     CertainStarts starts_;  ///< of each line
+    ColumnTable<3> jumps_;  ///< places and lines of the roots that are jumps
     std::vector<RoughRoot> pending_;
     RootPolish polish_;
     std::vector<std::size_t> asked_;
