@@ -75,10 +75,13 @@ ${calls}    return rows;
 endfunction()
 
 # isoscope_unroll(FILE...): kernels with short loops over coordinates or columns, of numbers that stay in vector
-# registers only where the loops are unrolled. -O2 leaves them in memory.
+# registers only where the loops are unrolled. -O2 leaves them in memory. Not with sanitizers, whose checks
+# are unrolled, too.
 function(isoscope_unroll)
-  set_source_files_properties(${ARGN} PROPERTIES
-    COMPILE_OPTIONS "$<$<CONFIG:Release,RelWithDebInfo>:-O3>" SKIP_PRECOMPILE_HEADERS ON)
+  if(NOT ISOSCOPE_SANITIZE AND NOT ISOSCOPE_SANITIZE_THREADS)
+    set_source_files_properties(${ARGN} PROPERTIES
+      COMPILE_OPTIONS "$<$<CONFIG:Release,RelWithDebInfo>:-O3>" SKIP_PRECOMPILE_HEADERS ON)
+  endif()
 endfunction()
 
 # isoscope_copy_by_vectors(FILE...): sources that copy objects of some hundred bytes all the time. g++ makes a string
