@@ -17,6 +17,7 @@
 #include "app/desktop/window/actions.h"
 #include "tests/app/test_folder.h"
 #include "tests/app/window_driver.h"
+#include "tests/support/sanitizer.h"
 #include "widgets/document/scene_session.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/notice_bar.h"
@@ -503,6 +504,7 @@ class MainWindowTest : public QObject {
     }
 
     void memoryStaysBelow400Megabytes() {
+        if (checksAddresses) QSKIP("the sanitizer takes more than that");
         QFile status(QStringLiteral("/proc/self/status"));
         if (!status.open(QIODevice::ReadOnly)) QSKIP("no /proc on this system");
         const QString text = QString::fromLatin1(status.readAll());

@@ -172,7 +172,10 @@ class FunctionGoldenTest : public QObject {
             static const std::map<std::string, std::size_t> components{
                 {"x", 0}, {"u", 0}, {"red", 0}, {"y", 1}, {"v", 1}, {"z", 2}, {"t", 3}};
             const std::size_t component = components.at(table.field(row, "component"));
-            ReferenceEvaluator evaluator(parsed->second.value.function);
+            const Function& function = parsed->second.value.function;
+            QCOMPARE(component < function.results.size(), table.field(row, "error").empty());
+            if (component >= function.results.size()) continue;
+            ReferenceEvaluator evaluator(function);
             const double got = evaluator.evaluate(std::vector<double>{table.number(row, "x")}, {}, component);
             QVERIFY2(
                 test::goldenError(got, table.number(row, "value")) <= 1e-9,

@@ -37,6 +37,10 @@ struct Lines {
     }
 };
 
+double hitOf(double root, double near, double far, double tolerance) {
+    return Lines{{root}, {near}, {far}}.hits(tolerance)[0];
+}
+
 }  // namespace
 
 class PovrayHitsTest : public QObject {
@@ -69,22 +73,22 @@ void PovrayHitsTest::manyLinesEndWhereEachDoes() {
 
 void PovrayHitsTest::aPlaceBehindTheRootWithinTheTolerance() {
     // Halved to [0.28125, 0.3125]: narrower than 0.04.
-    QCOMPARE(Lines({0.3}, {0}, {1}).hits(0.04)[0], 0.3125);
+    QCOMPARE(hitOf(0.3, 0, 1, 0.04), 0.3125);
     // A root in the middle belongs to the nearer half.
-    QCOMPARE(Lines({0.5}, {0}, {1}).hits(0.6)[0], 0.5);
+    QCOMPARE(hitOf(0.5, 0, 1, 0.6), 0.5);
     // Nothing to be halved.
-    QCOMPARE(Lines({0.3}, {0}, {1}).hits(2)[0], 1.0);
+    QCOMPARE(hitOf(0.3, 0, 1, 2), 1.0);
     // As wide as the tolerance is still halved.
-    QCOMPARE(Lines({0.3}, {0}, {1}).hits(1)[0], 0.5);
+    QCOMPARE(hitOf(0.3, 0, 1, 1), 0.5);
 }
 
 void PovrayHitsTest::linesThatCannotBeHalvedKeepTheirRoot() {
     const double next = std::nextafter(1e6, 2e6);
-    QCOMPARE(Lines({1e6}, {1e6}, {next}).hits(1e-12)[0], 1e6);
-    QCOMPARE(Lines({7}, {7}, {7}).hits(0)[0], 7.0);
-    QCOMPARE(Lines({0.3}, {0}, {1}).hits(0)[0], 0.3);
+    QCOMPARE(hitOf(1e6, 1e6, next, 1e-12), 1e6);
+    QCOMPARE(hitOf(7, 7, 7, 0), 7.0);
+    QCOMPARE(hitOf(0.3, 0, 1, 0), 0.3);
     const double infinite = std::numeric_limits<double>::infinity();
-    QCOMPARE(Lines({3}, {0}, {infinite}).hits(1e-3)[0], 3.0);
+    QCOMPARE(hitOf(3, 0, infinite, 1e-3), 3.0);
 }
 
 QTEST_APPLESS_MAIN(PovrayHitsTest)

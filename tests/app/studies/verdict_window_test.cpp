@@ -412,9 +412,14 @@ class VerdictWindowTest : public QObject {
         QCOMPARE(studyOf(d)->verdicts().size(), std::size_t(20));
         auto* list = d->problems()->findChild<QTreeWidget*>();
         QAbstractButton* all = nullptr;
-        for (auto* button : list->findChildren<QAbstractButton*>())
-            if (button->isVisible() && button->text().contains(QStringLiteral("All"))) all = button;
-        QVERIFY(all);
+        // Laid out: a button that has just come has no size yet.
+        QVERIFY(QTest::qWaitFor([&] {
+            for (auto* button : list->findChildren<QAbstractButton*>())
+                if (button->isVisible() && !button->size().isEmpty() &&
+                    button->text().contains(QStringLiteral("All")))
+                    all = button;
+            return all != nullptr;
+        }));
         QTest::mouseClick(all, Qt::LeftButton);
         QVERIFY(!d->editor()->sceneText().contains(QStringLiteral("max_gradient 1.2")));
         QVERIFY(judged(d));
