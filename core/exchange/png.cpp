@@ -27,6 +27,9 @@ void append(png_structp png, png_bytep bytes, png_size_t count) {
 /// What stands before the picture data. Makes no objects with destructors: libpng leaves it by longjmp. No
 /// time stamp: the same picture gives the same bytes.
 bool writeHeader(std::string* file, const PngForm& form, int colorType) {
+    // No exception may go through libpng: append() finds room for all.
+    constexpr std::size_t room = 256;
+    file->reserve(file->size() + room);
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
     if (!info || setjmp(png_jmpbuf(png))) {

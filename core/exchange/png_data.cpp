@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <utility>
 
 #include "core/render/progressive/worker_pool.h"
@@ -52,6 +53,8 @@ bool PngDeflater::Band::deflateRows(const std::vector<std::uint8_t>& bytes, bool
     z_stream stream{};
     constexpr int level = 1, rawWindow = -15, memory = 8;
     if (deflateInit2(&stream, level, Z_DEFLATED, rawWindow, memory, Z_RLE) != Z_OK) return false;
+    // Where memory is refused, too.
+    const std::unique_ptr<z_stream, decltype(&deflateEnd)> ended(&stream, deflateEnd);
     // A flush adds a few bytes to the bound.
     data.resize(deflateBound(&stream, bytes.size()) + 16);
     stream.next_in = const_cast<Bytef*>(bytes.data());
@@ -60,7 +63,6 @@ bool PngDeflater::Band::deflateRows(const std::vector<std::uint8_t>& bytes, bool
     stream.avail_out = static_cast<uInt>(data.size());
     const int result = deflate(&stream, isLast ? Z_FINISH : Z_SYNC_FLUSH);
     data.resize(stream.total_out);
-    deflateEnd(&stream);
     size = bytes.size();
     checksum = adler32(adler32(0, nullptr, 0), bytes.data(), static_cast<uInt>(bytes.size()));
     return result == (isLast ? Z_STREAM_END : Z_OK) && stream.avail_in == 0;

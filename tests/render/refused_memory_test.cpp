@@ -3,13 +3,19 @@
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
+#include <new>
 
 #include "core/exchange/picture_file.h"
+#include "core/exchange/png.h"
 #include "core/language/parse.h"
 #include "core/mesh/scene_mesh.h"
 #include "core/render/render_image.h"
 #include "tests/support/refusing_new.h"
 #include "tests/support/scene_picture.h"
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 using namespace isoscope;
 using namespace isoscope::test;
@@ -126,6 +132,33 @@ class RenderRefusedMemoryTest : public QObject {
                    [](const PictureFileResult& result) { return !result.problem.empty(); });
         // Nothing half written lies about.
         QCOMPARE(QDir(folder_.path()).entryList({"*.part", ".*"}, QDir::Files | QDir::Hidden), QStringList());
+    }
+
+    /// libpng and zlib were left with what they had taken; so AddressSanitizer said.
+    void refusedPngsGiveTheirMemoryBack() {
+#if !defined(__GLIBC__)
+        QSKIP("only glibc says how much memory is taken");
+#else
+        const Image image(32, 24);
+        const auto make = [&]() -> std::string {
+            try {
+                return encodePng(image, 1);
+            } catch (const std::bad_alloc&) {
+                return {};
+            }
+        };
+        const auto refuseAll = [&] {
+            long at = 0;
+            for (bool happened = true; happened; ++at) refusing(at, happened, make);
+            return at;
+        };
+        refuseAll();
+        const std::size_t before = mallinfo2().uordblks;
+        QVERIFY(refuseAll() > 10);
+        const std::size_t after = mallinfo2().uordblks;
+        // Less than any of their structures.
+        QVERIFY2(after < before + 300, qPrintable(QString("%1 bytes more").arg(after - before)));
+#endif
     }
 
     void meshes() {
