@@ -48,6 +48,8 @@ auto refusing(long at, bool& happened, const Read& read) {
 
 }  // namespace isoscope::test
 
+// These may not be inline, and stand in one source of a program.
+// NOLINTBEGIN(misc-definitions-in-headers)
 void* operator new(std::size_t size) { return isoscope::test::memoryFor(size); }
 void* operator new[](std::size_t size) { return isoscope::test::memoryFor(size); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
@@ -68,3 +70,4 @@ void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(m
 void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+// NOLINTEND(misc-definitions-in-headers)
