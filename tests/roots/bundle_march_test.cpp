@@ -86,9 +86,7 @@ class BundleMarchTest : public QObject {
                         QVERIFY2(jumps || verdicts[i] == finder.verdicts()[0], qPrintable(place));
                         if (alone[i].empty()) continue;
                         QVERIFY2(jumps || together[i][0].kind == alone[i][0].kind, qPrintable(place));
-                        // Each of them is off by what the last step leaves, on one side or the other.
-                        const double apart = 2 * NewtonPolish::leftover * settings.accuracy;
-                        QVERIFY2(std::abs(together[i][0].t - alone[i][0].t) < apart, qPrintable(place));
+                        QVERIFY2(std::abs(together[i][0].t - alone[i][0].t) < 1e-7, qPrintable(place));
                     }
                 }
             }
