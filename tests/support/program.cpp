@@ -31,7 +31,7 @@ ProgramResult runCli(const QStringList& arguments, int timeoutSeconds) {
 }
 
 double instructionsOfCli(const QStringList& arguments) {
-    // What the loader and the libraries' initialisers do is not ours, and Highway's measures a clock.
+    // What the loader and the libraries' initialisers do is not ours.
     const QStringList counting{"--tool=callgrind", "--toggle-collect=main", "--callgrind-out-file=/dev/null",
                                ISOSCOPE_BINARY_DIR "/isoscope-cli"};
     const ProgramResult run = runProgram("valgrind", counting + arguments, 250);
