@@ -11,6 +11,7 @@
 #include "tests/roots/line_table.h"
 #include "tests/support/exact_pieces.h"
 #include "tests/support/random_function.h"
+#include "tests/support/tape_of.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
@@ -32,6 +33,17 @@ RandomFunctionSettings stepOperations() {
                            Operation::subtract, Operation::multiply, Operation::square};
     return settings;
 }
+
+RootSettings openSettings() {
+    RootSettings settings;
+    settings.accuracy = accuracy;
+    settings.threshold = 0.123;
+    settings.open = true;
+    return settings;
+}
+
+Expression toInt(Expression a) { return apply(Operation::truncate, a); }
+Expression toDiv(Expression a, Expression b) { return apply(Operation::integerDivide, a, b); }
 
 /// The first place of a line where the sign is no longer what it was; infinite where there is none. Where
 /// rounding decides, no sign counts.
@@ -65,6 +77,8 @@ Signs firstChange(PointEvaluator& points, const LineQuery& line) {
 
 }  // namespace
 
+Q_DECLARE_METATYPE(std::shared_ptr<const isoscope::Tape>)
+
 class StepFunctionsTest : public QObject {
     Q_OBJECT
 
@@ -73,10 +87,7 @@ class StepFunctionsTest : public QObject {
         qInfo("seed %llu", static_cast<unsigned long long>(seed));
         std::mt19937_64 random(seed);
         RandomFunctionSettings settings = stepOperations();
-        RootSettings roots;
-        roots.accuracy = accuracy;
-        roots.threshold = 0.123;
-        roots.open = true;
+        const RootSettings roots = openSettings();
         int certified = 0, hits = 0, lost = 0;
         for (int k = 0; k < functions; ++k) {
             settings.nodes = 3 + static_cast<int>(random() % 12);
@@ -124,6 +135,45 @@ class StepFunctionsTest : public QObject {
               hits, lost);
         QVERIFY(certified > 0.9 * all);
         QVERIFY(hits > all / 20);
+    }
+
+    /// Checks and stripes as people write them. Where a step is a whole number, mod, int and div of it were
+    /// taken for a jump at that very place, and no line was proven.
+    void stepsOfStepsAreProven_data() {
+        QTest::addColumn<std::shared_ptr<const Tape>>("tape");
+        const auto add = [](const char* name, const auto& formula) {
+            QTest::newRow(name) << tapeOf(formula);
+        };
+        add("mod of floor", [](auto x, auto, auto) { return mod(floor(4 * x), x.number(2)) - 0.5; });
+        add("mod of int", [](auto x, auto, auto) { return mod(toInt(4 * x + 9), x.number(3)) - 0.5; });
+        add("int of half of int",
+            [](auto x, auto, auto) { return toInt(4 * x) / 2 - toInt(toInt(4 * x) / 2) - 0.2; });
+        add("div of int", [](auto x, auto, auto) { return toDiv(toInt(4 * x + 9), x.number(2)) - 4.5; });
+        add("checks", [](auto x, auto y, auto z) {
+            return sq(x) + sq(y) + sq(z) - 0.9 +
+                   0.3 * mod(floor(4 * x) + floor(4 * y) + floor(4 * z), x.number(2));
+        });
+    }
+    void stepsOfStepsAreProven() {
+        QFETCH(std::shared_ptr<const Tape>, tape);
+        std::mt19937_64 random(seed + 1);
+        CertifiedRootFinder finder(tape, {}, openSettings());
+        std::vector<LineQuery> queries;
+        for (int i = 0; i < 500; ++i)
+            queries.push_back({{uniform(random, -1, 1), uniform(random, -1, 1), -1.03},
+                               glm::normalize(glm::dvec3(uniform(random, -1, 1), uniform(random, -1, 1), 1)),
+                               0,
+                               2});
+        std::vector<RootList> roots(queries.size());
+        finder.find(queries, {}, roots);
+        for (const Verdict verdict : finder.verdicts())
+            QVERIFY2(verdict <= Verdict::certifiedMiss, name(verdict));
+        QVERIFY(finder.report().evaluations < 60 * queries.size());
+        PointEvaluator points(tape, {});
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            const Signs signs = firstChange(points, queries[i]);
+            if (signs.changes()) QVERIFY(!roots[i].empty() && roots[i].front().t <= signs.to + accuracy);
+        }
     }
 };
 

@@ -42,7 +42,7 @@ class AffineCaseAlgebra : public AffineWholeAlgebra {
             case Operation::ceiling: return ceilingOf(p[0], lane);
             case Operation::truncate: return truncated(p[0], lane);
             case Operation::fraction: return fractionOf(p[0], lane);
-            case Operation::integerDivide: return truncated(quotientOf(p[0], p[1]), lane);
+            case Operation::integerDivide: return truncated(exactQuotient(p[0], p[1]), lane);
             case Operation::remainder: return remainderOf(p[0], p[1], lane);
             case Operation::arcTangent2: return angle(p[0], p[1], lane);
             case Operation::equal: return equality(equal(p[0], p[1]), p[0], p[1], lane);
@@ -158,16 +158,21 @@ class AffineCaseAlgebra : public AffineWholeAlgebra {
         const Vector down = hn::IfThenElse(hn::Gt(last, zero), last, hn::Sub(last, one));
         return stepOf(p, first, last, up, down, lane);
     }
+    /// What lanes are told, or, of an exact operand, its own step toward zero.
+    static HWY_INLINE Told certainOr(const Told& step, const Number& p) {
+        const Mask exact = isExact(p);
+        return {hn::IfThenElse(exact, hn::Trunc(p.a), step.side), hn::Or(exact, step.known)};
+    }
     HWY_INLINE Number truncated(const Number& p, std::size_t lane) {
-        const Told step = truncationOf(p, lane);
+        const Told step = certainOr(truncationOf(p, lane), p);
         // Beyond 32 bits the value is another one.
         const Mask fits = hn::Lt(hn::Abs(step.side), constantVector(2147483647.0));
         return chooseNumber(hn::And(step.known, fits), exactNumber(step.side), truncate(p));
     }
     HWY_INLINE Number remainderOf(const Number& p, const Number& q, std::size_t lane) {
-        const Number quotient = quotientOf(p, q);
-        const Told step = truncationOf(quotient, lane);
-        const Number side = differenceOf(p, productOf(q, exactNumber(step.side)));
+        const Number quotient = exactQuotient(p, q);
+        const Told step = certainOr(truncationOf(quotient, lane), quotient);
+        const Number side = exactSum(p, negated(exactProduct(q, exactNumber(step.side))));
         return chooseNumber(step.known, side, AffineAlgebra::remainderOf(p, q, quotient));
     }
 
