@@ -166,7 +166,7 @@ Interval crackleNear(const CrackleSettings& settings, std::span<const Interval> 
 }
 
 Interval crackleRange(const CrackleSettings& settings, std::span<const Interval> operands) {
-    if (settings.table) return {settings.table->low(), settings.table->high(), false};
+    if (settings.table) return settings.table->range({operands[0], operands[1], operands[2]});
     // Beyond its lattice crackle is undefined.
     constexpr double limit = 4e18;
     bool defined = true;

@@ -107,21 +107,47 @@ CrackleDistances euclidean(const std::array<double, 3>& p, const std::array<doub
     return finished(smallest, offset);
 }
 
+/// Distances in another metric.
+class GeneralSmallest {
+  public:
+    GeneralSmallest(const std::array<double, 3>& p, double metric) : p_(p), metric_(metric) {}
+
+    void add(const std::array<double, 3>& point) {
+        smallest_.add(crackleNorm(std::abs(p_[0] - point[0]), std::abs(p_[1] - point[1]),
+                                  std::abs(p_[2] - point[2]), metric_),
+                      point);
+    }
+    CrackleDistances finished(double offset) const {
+        CrackleDistances found = smallest_.distances();
+        if (offset != 0)
+            for (double& d : found.d)
+                d = std::pow(std::pow(d, metric_) + std::pow(offset, metric_), 1 / metric_);
+        return found;
+    }
+
+  private:
+    const std::array<double, 3>& p_;
+    double metric_;
+    Smallest smallest_;
+};
+
+CrackleDistances general(const std::array<double, 3>& p, const CrackleCandidates& candidates, double metric,
+                         double offset) {
+    GeneralSmallest smallest(p, metric);
+    for (std::size_t i = 0; i < candidates.count; ++i)
+        smallest.add({candidates.x[i], candidates.y[i], candidates.z[i]});
+    return smallest.finished(offset);
+}
+
+/// The same by looking at all cells.
 CrackleDistances general(const std::array<double, 3>& p, const std::array<double, 3>& cell, double metric,
                          double offset) {
     std::array<std::int64_t, 3> index;
     for (std::size_t axis = 0; axis < 3; ++axis) index[axis] = static_cast<std::int64_t>(cell[axis]);
-    Smallest smallest;
-    for (const CellOffset& o : offsets) {
-        const auto point = cracklePoint(index[0] + o.axis[0], index[1] + o.axis[1], index[2] + o.axis[2]);
-        double sum = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) sum += std::pow(std::abs(p[axis] - point[axis]), metric);
-        smallest.add(std::pow(sum, 1 / metric), point);
-    }
-    CrackleDistances found = smallest.distances();
-    if (offset != 0)
-        for (double& d : found.d) d = std::pow(std::pow(d, metric) + std::pow(offset, metric), 1 / metric);
-    return found;
+    GeneralSmallest smallest(p, metric);
+    for (const CellOffset& o : offsets)
+        smallest.add(cracklePoint(index[0] + o.axis[0], index[1] + o.axis[1], index[2] + o.axis[2]));
+    return smallest.finished(offset);
 }
 
 /// Whether the coordinate's cell has a number of 64 bits.
@@ -160,10 +186,9 @@ double cellValue(double x, double y, double z) {
 CrackleDistances crackleDistances(double x, double y, double z, double metric, double offset) {
     const std::array<double, 3> p{x, y, z};
     if (!hasCell(x) || !hasCell(y) || !hasCell(z)) return {{nan, nan, nan}, {}};
-    if (metric == 2) {
-        const CrackleCandidates* candidates = crackleCandidates({p, thriftyCrackleReach}, metric, 3);
-        if (candidates && candidates->continuous()) return euclidean(p, *candidates, offset);
-    }
+    const CrackleCandidates* candidates = crackleCandidates({p, thriftyCrackleReach}, metric, 3);
+    if (candidates && candidates->continuous())
+        return metric == 2 ? euclidean(p, *candidates, offset) : general(p, *candidates, metric, offset);
     const std::array<double, 3> cell{std::floor(x - 1e-10), std::floor(y - 1e-10), std::floor(z - 1e-10)};
     return metric == 2 ? euclidean(p, cell, offset) : general(p, cell, metric, offset);
 }

@@ -59,16 +59,18 @@ double DensityTable::value(const std::array<double, 3>& point) const {
         if (!(coordinate >= 0 && coordinate < 1)) return 0;
     switch (interpolation_) {
         case Interpolation::linear: return interpolated(point, 0, 1);
-        case Interpolation::cubic: return interpolated(point, -1, 2);
+        case Interpolation::cubic: return std::max(0.0, interpolated(point, -1, 2));
         default: return nearest(point);
     }
 }
 
-/// Beyond its upper sides the volume begins anew; below the lower ones its outermost samples go on.
+/// Beyond its upper sides the volume begins anew, and before the first x; below the others its outermost
+/// samples go on.
 double DensityTable::sample(std::array<int, 3> index) const {
     std::size_t place = 0;
     for (std::size_t k = 3; k-- > 0;) {
-        const int size = volume_->size[k], inside = std::max(index[k], 0) % size;
+        const int size = volume_->size[k];
+        const int inside = (index[k] < 0 ? (k == 0 ? size + index[k] : 0) : index[k]) % size;
         place = place * static_cast<std::size_t>(size) + static_cast<std::size_t>(inside);
     }
     return static_cast<double>(volume_->samples[place]);
@@ -103,6 +105,53 @@ double DensityTable::interpolated(const std::array<double, 3>& point, int first,
                        weights[1][static_cast<std::size_t>(y - first)] *
                        weights[2][static_cast<std::size_t>(z - first)];
     return sum;
+}
+
+const SampleBounds& DensityTable::bounds() const {
+    std::call_once(bounded_, [&] {
+        std::array<SampleAxis, 3> axes;
+        for (std::size_t k = 0; k < 3; ++k) axes[k] = {volume_->size[k], 0, k == 0, true};
+        const SampleJoin join = interpolation_ == Interpolation::none     ? SampleJoin::none
+                                : interpolation_ == Interpolation::linear ? SampleJoin::linear
+                                                                          : SampleJoin::cubic;
+        bounds_.emplace(axes, join, [this](const std::array<int, 3>& place) { return sample(place); });
+    });
+    return *bounds_;
+}
+
+PointTable::Straightness DensityTable::straightness(const Way& way) const {
+    Way places = way;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high, undefined] = way.box[k];
+        if (!(low >= 0 && high < 1)) return {};
+        const double size = volume_->size[k];
+        places.box[k] = {low * size, high * size, false};
+        places.slope[k] *= size;
+        places.error[k] *= size;
+    }
+    // Where what is less than 0 is cut off there is an edge.
+    if (interpolation_ == Interpolation::cubic && !(rangeIn(way.box).low > 0)) return {};
+    return bounds().straightness(places);
+}
+
+Interval DensityTable::rangeIn(const std::array<Interval, 3>& box) const {
+    std::array<Interval, 3> places;
+    std::array<double, 3> middle;
+    bool isWithin = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high, undefined] = box[k];
+        if (!(high >= 0 && low < 1)) return Interval::point(0);
+        isWithin = isWithin && low >= 0 && high < 1;
+        const Interval part{std::max(low, 0.0), std::min(high, std::nextafter(1, 0)), false};
+        middle[k] = part.low + (part.high - part.low) / 2;
+        places[k] = {part.low * volume_->size[k], part.high * volume_->size[k], false};
+    }
+    // The spline may fall below 0.
+    const double center =
+        interpolation_ == Interpolation::cubic ? interpolated(middle, -1, 2) : value(middle);
+    const Interval joined = bounds().over(places, center);
+    const Interval inside{std::max(joined.low, 0.0), std::max(joined.high, 0.0), false};
+    return isWithin ? inside : hull(inside, Interval::point(0));
 }
 
 }  // namespace isoscope

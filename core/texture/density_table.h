@@ -3,10 +3,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/function/point_table.h"
+#include "core/texture/sample_bounds.h"
 
 namespace isoscope {
 
@@ -23,23 +26,31 @@ std::shared_ptr<const DensityVolume> readDensityFile(const std::filesystem::path
 /// A volume in the unit cube, 0 outside, as POV-Ray 3.7 looks it up (measured).
 class DensityTable : public PointTable {
   public:
-    /// Between voxels: that of the point alone, 2 by 2 by 2, or 4 by 4 by 4 of them (which may leave 0 to 1).
+    /// Between voxels: that of the point alone, 2 by 2 by 2, or 4 by 4 by 4 of them (which may leave 0 to 1;
+    /// what is less than 0 is 0).
     enum class Interpolation { none, linear, cubic };
 
     DensityTable(std::shared_ptr<const DensityVolume> volume, Interpolation interpolation)
         : volume_(std::move(volume)), interpolation_(interpolation) {}
+    DensityTable(const DensityTable&) = delete;
+    DensityTable& operator=(const DensityTable&) = delete;
 
     double value(const std::array<double, 3>& point) const override;
-    double low() const override { return interpolation_ == Interpolation::cubic ? -1 : 0; }
     double high() const override { return interpolation_ == Interpolation::cubic ? 2 : 1; }
+    bool hasRanges() const override { return true; }
+    Straightness straightness(const Way& way) const override;
 
   private:
+    const SampleBounds& bounds() const;
+    Interval rangeIn(const std::array<Interval, 3>& box) const override;
     double sample(std::array<int, 3> index) const;
     double nearest(const std::array<double, 3>& point) const;
     double interpolated(const std::array<double, 3>& point, int first, int last) const;
 
     std::shared_ptr<const DensityVolume> volume_;
     Interpolation interpolation_;
+    mutable std::once_flag bounded_;
+    mutable std::optional<SampleBounds> bounds_;  ///< made when they are asked for
 };
 
 }  // namespace isoscope

@@ -25,6 +25,13 @@ namespace {
 
 constexpr std::size_t pixelLimit = std::size_t{1} << 23;
 
+/// What POV-Ray makes of the grey samples of an 8-bit PNG file: weighed as colours in single precision, and
+/// cut off (measured on all 256).
+float weighedGray(float sample) {
+    const float weighed = 0.297F * sample + 0.589F * sample + 0.114F * sample;
+    return static_cast<float>(std::floor(255.0 * static_cast<double>(weighed)) / 255);
+}
+
 /// From 0..1 as stored to the colours of the scene.
 class ChannelTable {
   public:
@@ -84,6 +91,7 @@ std::optional<ImageMap> readPng(const std::filesystem::path& file, const Channel
         return std::nullopt;
     }
     const bool gray = !(png.format & (PNG_FORMAT_FLAG_COLOR | PNG_FORMAT_FLAG_COLORMAP));
+    const bool weighed = gray && !(png.format & (PNG_FORMAT_FLAG_ALPHA | PNG_FORMAT_FLAG_LINEAR));
     const bool palette = (png.format & PNG_FORMAT_FLAG_COLORMAP) != 0;
     png.format = PNG_FORMAT_RGBA;
     const std::size_t count = static_cast<std::size_t>(png.width) * png.height;
@@ -104,6 +112,9 @@ std::optional<ImageMap> readPng(const std::filesystem::path& file, const Channel
     for (std::size_t i = 0; i < count; ++i)
         samples.set(i, table, {bytes[4 * i], bytes[4 * i + 1], bytes[4 * i + 2]}, gray,
                     static_cast<float>(bytes[4 * i + 3]) / 255);
+    if (weighed)
+        for (ImageMap::Sample& sample : samples.stored)
+            for (std::size_t c = 0; c < 3; ++c) sample[c] = weighedGray(sample[c]);
     samples.giveTo(image);
     if (palette) {
         std::string ignored;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/texture/image_table.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace isoscope {
 
 namespace {
@@ -9,40 +13,147 @@ double gray(const Color& color) { return 0.297 * color.red + 0.589 * color.green
 
 }  // namespace
 
+ImageTable::ImageTable(const ImageMap& image, ImageChannel channel, int right, int below)
+    : image_(image), channel_(channel), right_(right), below_(below) {
+    image_.type = ImageMapType::planar;
+}
+
 double ImageTable::value(const std::array<double, 3>& p) const {
-    const glm::dvec3 point(p[0], p[1], p[2]);
+    const double value = valueOf(image_, p[0], p[1], right_, below_);
+    return isCutOff() ? std::clamp(value, 0.0, 1.0) : value;
+}
+
+double ImageTable::valueOf(const ImageMap& image, double u, double v, int right, int below) const {
+    const glm::dvec3 point(u, v, 0);
     switch (channel_) {
-        case ImageChannel::red: return imageColor(*image_, point).red;
-        case ImageChannel::green: return imageColor(*image_, point).green;
-        case ImageChannel::blue: return imageColor(*image_, point).blue;
-        case ImageChannel::filter: return imageColor(*image_, point).filter;
-        case ImageChannel::transmit: return imageColor(*image_, point).transmit;
-        case ImageChannel::storedGray: return gray(storedColor(*image_, point, right_, below_));
-        case ImageChannel::storedTransparency: return storedColor(*image_, point).transmit;
-        case ImageChannel::index: return imageIndex(*image_, point);
+        case ImageChannel::storedGray:
+        case ImageChannel::patternGray: return channelOf(storedColor(image, point, right, below));
+        case ImageChannel::storedTransparency: return channelOf(storedColor(image, point));
+        case ImageChannel::index: return imageIndex(image, point);
+        default: return channelOf(imageColor(image, point));
+    }
+}
+
+double ImageTable::channelOf(const Color& color) const {
+    switch (channel_) {
+        case ImageChannel::red: return color.red;
+        case ImageChannel::green: return color.green;
+        case ImageChannel::blue: return color.blue;
+        case ImageChannel::filter: return color.filter;
+        case ImageChannel::transmit:
+        case ImageChannel::storedTransparency: return color.transmit;
+        case ImageChannel::storedGray:
+        case ImageChannel::patternGray: return gray(color);
+        case ImageChannel::index: break;
     }
     return 0;
+}
+
+bool ImageTable::hasRanges() const {
+    return channel_ == ImageChannel::index || image_.interpolation != ImageInterpolation::distance;
+}
+
+void ImageTable::makeBounds() const {
+    const int width = image_.width, height = image_.height;
+    const bool wraps = !image_.once;
+    const std::array<SampleAxis, 3> axes{
+        {{width, 0.5, wraps, wraps}, {height, 0.5, wraps, wraps}, {1, 0, false, false}}};
+    const bool bicubic = image_.interpolation == ImageInterpolation::bicubic;
+    const SampleJoin join =
+        channel_ == ImageChannel::index || image_.interpolation == ImageInterpolation::none ? SampleJoin::none
+        : bicubic ? SampleJoin::cubic
+                  : SampleJoin::linear;
+    // The middles of the samples, of the image alone.
+    ImageMap plain = image_;
+    plain.interpolation = ImageInterpolation::none;
+    const auto sample = [this, plain](const std::array<int, 3>& place) {
+        return valueOf(plain, (place[0] + 0.5) / plain.width, 1 - (place[1] + 0.5) / plain.height, 0, 0);
+    };
+    bounds_.emplace(axes, join, sample);
+}
+
+const SampleBounds& ImageTable::bounds() const {
+    std::call_once(bounded_, [this] { makeBounds(); });
+    return *bounds_;
+}
+
+/// Coordinates of the samples, from the left and from above.
+std::array<Interval, 3> ImageTable::gridOf(const Interval& u, const Interval& v) const {
+    const Interval width = Interval::point(image_.width), height = Interval::point(image_.height);
+    return {u * width + Interval::point(isGray() ? right_ : 0),
+            (Interval::point(1) - v) * height + Interval::point(isGray() ? below_ : 0), Interval::point(0)};
+}
+
+PointTable::Straightness ImageTable::straightness(const Way& way) const {
+    if (image_.width <= 0 || image_.height <= 0 || !hasRanges()) return {};
+    const std::array<double, 2> sizes{static_cast<double>(image_.width), static_cast<double>(image_.height)};
+    Way places{gridOf(way.box[0], way.box[1]), {}, {}};
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+        if (image_.once && !(way.box[k].low >= 0 && way.box[k].high < 1)) return {};
+        places.slope[k] = sizes[k] * way.slope[k];
+        places.error[k] = sizes[k] * way.error[k];
+    }
+    // Where values are cut off there is an edge.
+    if (isCutOff()) {
+        const Interval range = rangeIn(way.box);
+        if (!(range.low > 0 && range.high < 1)) return {};
+    }
+    return bounds().straightness(places);
+}
+
+Interval ImageTable::rangeIn(const std::array<Interval, 3>& box) const {
+    if (image_.width <= 0 || image_.height <= 0) return {low(), high(), false};
+    Interval u = box[0], v = box[1];
+    bool isWithin = true;
+    if (image_.once)
+        for (Interval* side : {&u, &v}) {
+            if (!(side->high >= 0 && side->low < 1)) return Interval::point(value({NAN, NAN, 0}));
+            isWithin = isWithin && side->low >= 0 && side->high < 1;
+            *side = {std::max(side->low, 0.0), std::min(side->high, std::nextafter(1, 0)), false};
+        }
+    const auto middleOf = [](const Interval& side) { return side.low + (side.high - side.low) / 2; };
+    const double middle = valueOf(image_, middleOf(u), middleOf(v), right_, below_);
+    Interval inside = bounds().over(gridOf(u, v), middle);
+    if (isCutOff()) inside = {std::clamp(inside.low, 0.0, 1.0), std::clamp(inside.high, 0.0, 1.0), false};
+    return isWithin ? inside : hull(inside, Interval::point(value({NAN, NAN, 0})));
 }
 
 // Cubic interpolation overshoots by at most a quarter in each direction; settings may add to transparency
 // what they like.
 double ImageTable::low() const {
     const bool endless = channel_ == ImageChannel::filter || channel_ == ImageChannel::transmit;
-    return endless ? -1e6 : image_->interpolation == ImageInterpolation::bicubic ? -1 : 0;
+    return endless ? -1e6 : image_.interpolation == ImageInterpolation::bicubic && !isCutOff() ? -1 : 0;
 }
 
 double ImageTable::high() const {
     const bool endless = channel_ == ImageChannel::filter || channel_ == ImageChannel::transmit;
     if (channel_ == ImageChannel::index) return 255;
-    return endless ? 1e6 : image_->interpolation == ImageInterpolation::bicubic ? 2 : 1;
+    return endless ? 1e6 : image_.interpolation == ImageInterpolation::bicubic && !isCutOff() ? 2 : 1;
 }
+
+namespace {
+
+/// u and v of a point on an image of this type, from 0 to 1 where it is `once`.
+std::array<Expression, 2> imagePlace(const ImageMap& image, const PatternPoint& point) {
+    using std::numbers::pi;
+    const auto& [x, y, z] = point;
+    if (image.type == ImageMapType::planar) return {x, y};
+    const Expression turns = atan2(z, x) / (2 * pi), around = sqrt(sq(x) + sq(z));
+    const Expression u = image.once ? turns - floor(turns) : turns;
+    if (image.type == ImageMapType::cylindrical) return {u, y};
+    if (image.type == ImageMapType::torus) return {u, 0.5 + atan2(y, around - 1) / (2 * pi)};
+    return {u, 0.5 + atan2(y, around) / pi};
+}
+
+}  // namespace
 
 Expression imageValue(const std::shared_ptr<const ImageMap>& image, ImageChannel channel,
                       const PatternPoint& point, int right, int below) {
     CrackleSettings settings;
-    settings.table = std::make_shared<const ImageTable>(image, channel, right, below);
+    settings.table = std::make_shared<const ImageTable>(*image, channel, right, below);
     FunctionGraph& graph = point[0].graph();
-    return {graph, graph.crackle(settings, point[0].node(), point[1].node(), point[2].node())};
+    const auto [u, v] = imagePlace(*image, point);
+    return {graph, graph.crackle(settings, u.node(), v.node(), u.number(0).node())};
 }
 
 }  // namespace isoscope

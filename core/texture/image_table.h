@@ -2,10 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
+#include <optional>
 
 #include "core/function/patterns/pattern_warp.h"
 #include "core/function/point_table.h"
 #include "core/texture/image_map.h"
+#include "core/texture/sample_bounds.h"
 
 namespace isoscope {
 
@@ -16,29 +19,50 @@ enum class ImageChannel {
     blue,
     filter,
     transmit,            ///< these as imageColor()
-    storedGray,          ///< of patterns and bumps
+    storedGray,          ///< of bumps
+    patternGray,         ///< the same of patterns, no less than 0 and no more than 1
     storedTransparency,  ///< 0 where the file is opaque
     index                ///< imageIndex()
 };
 
-/// One channel of an image at points of its own coordinates, for functions.
+/// One channel of an image at u and v, the first two coordinates, for functions: where the image is not
+/// `once`, over and over.
 class ImageTable : public PointTable {
   public:
     /// Stored greys are those so many samples to the right and below.
-    ImageTable(std::shared_ptr<const ImageMap> image, ImageChannel channel, int right = 0, int below = 0)
-        : image_(std::move(image)), channel_(channel), right_(right), below_(below) {}
+    ImageTable(const ImageMap& image, ImageChannel channel, int right = 0, int below = 0);
+    ImageTable(const ImageTable&) = delete;
+    ImageTable& operator=(const ImageTable&) = delete;
 
     double value(const std::array<double, 3>& point) const override;
     double low() const override;
     double high() const override;
+    /// Not of images that are interpolated by distance.
+    bool hasRanges() const override;
+    Straightness straightness(const Way& way) const override;
 
   private:
-    std::shared_ptr<const ImageMap> image_;
+    Interval rangeIn(const std::array<Interval, 3>& box) const override;
+    double valueOf(const ImageMap& image, double u, double v, int right, int below) const;
+    double channelOf(const Color& color) const;
+    bool isGray() const {
+        return channel_ == ImageChannel::storedGray || channel_ == ImageChannel::patternGray;
+    }
+    bool isCutOff() const {
+        return channel_ == ImageChannel::patternGray && image_.interpolation == ImageInterpolation::bicubic;
+    }
+    std::array<Interval, 3> gridOf(const Interval& u, const Interval& v) const;
+    const SampleBounds& bounds() const;
+    void makeBounds() const;
+
+    ImageMap image_;  ///< planar
     ImageChannel channel_;
     int right_, below_;
+    mutable std::once_flag bounded_;
+    mutable std::optional<SampleBounds> bounds_;  ///< made when they are asked for
 };
 
-/// A channel of an image as an operation.
+/// A channel of an image as an operation, on the place of a point on images of its type.
 Expression imageValue(const std::shared_ptr<const ImageMap>& image, ImageChannel channel,
                       const PatternPoint& point, int right = 0, int below = 0);
 

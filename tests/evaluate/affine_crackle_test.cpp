@@ -40,6 +40,8 @@ class Random {
         if (!euclidean) settings.metric = chance(0.2) ? 1 : chance(0.2) ? between(0.4, 1) : between(1, 6);
         // Other metrics have no values with an offset below 0.
         if (chance(0.3)) settings.offset = between(euclidean ? -1 : 0, 1);
+        settings.solid = chance(0.2);
+        settings.cells = chance(0.1);
         return settings;
     }
     /// Near walls of cells for some of the axes: there the 81 cells change.
@@ -104,17 +106,40 @@ class AffineCrackleTest : public QObject {
     }
 
     /// What is left open beside the slope falls with the square of the piece, but for the places where
-    /// distances change their order.
+    /// distances change their order, and those of metric 1 where they have edges.
+    void formsOfShortPiecesAreStraight_data() {
+        QTest::addColumn<double>("metric");
+        for (const double metric : {1.0, 1.5, 2.0, 4.0}) QTest::addRow("metric %g", metric) << metric;
+    }
     void formsOfShortPiecesAreStraight() {
+        QFETCH(double, metric);
+        CrackleSettings settings;
+        settings.metric = metric;
         Random random;
         int straight = 0;
         constexpr int rounds = 2000;
         for (int round = 0; round < rounds; ++round) {
             Forms forms;
             for (AffineForm& p : forms) p = {random.between(-9, 9), random.between(-1e-3, 1e-3), 0};
-            straight += affineCrackle(forms, {}).e < 2e-5;
+            straight += affineCrackle(forms, settings).e < 2e-5;
         }
         QVERIFY2(straight > rounds * 97 / 100, qPrintable(QString::number(straight)));
+    }
+
+    /// Such patterns are constant within their cells, and jump between them.
+    void formsWithinACellAreExact() {
+        Random random;
+        int exact[2] = {0, 0};
+        constexpr int rounds = 2000;
+        for (int round = 0; round < rounds; ++round) {
+            CrackleSettings settings;
+            (round % 2 ? settings.cells : settings.solid) = true;
+            Forms forms;
+            for (AffineForm& p : forms) p = {random.between(-9, 9), random.between(-1e-3, 1e-3), 1e-5};
+            exact[round % 2] += affineCrackle(forms, settings).e == 0;
+        }
+        QVERIFY2(exact[0] > rounds / 2 * 98 / 100, qPrintable(QString::number(exact[0])));
+        QVERIFY2(exact[1] > rounds / 2 * 98 / 100, qPrintable(QString::number(exact[1])));
     }
 
     void whatHasNoBoundsIsTold() {

@@ -80,8 +80,7 @@ class ImageMapTest : public QObject {
     }
 
     void tablesStayWithinTheirBounds() {
-        const auto map = std::make_shared<const ImageMap>(image(ImageInterpolation::bicubic));
-        const ImageTable table(map, ImageChannel::storedGray);
+        const ImageTable table(image(ImageInterpolation::bicubic), ImageChannel::storedGray);
         for (double u = 0; u < 1; u += 0.05)
             for (double v = 0; v < 1; v += 0.05) {
                 const double value = table.value({u, v, 0});

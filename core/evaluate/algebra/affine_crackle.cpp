@@ -5,19 +5,21 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/evaluate/algebra/affine_form.h"
 #include "core/evaluate/algebra/distance_lines.h"
 #include "core/function/scalar_operations.h"
 #include "core/numeric/crackle.h"
 #include "core/numeric/crackle_candidates.h"
+#include "core/numeric/noise.h"
 
 namespace isoscope {
 
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr AffineForm unknownForm{0, 0, infinite};
+constexpr AffineForm unknownForm{0, 0, infinite}, anywhere{0.5, 0, 0.5};
 constexpr double roundings = DistanceLines::roundings;
 /// The same after powers.
 constexpr double powerRoundings = 1e-12;
@@ -46,36 +48,171 @@ LinePiece pieceOf(std::span<const AffineForm> operands) {
     return piece;
 }
 
-/// In other metrics a distance is between those of the nearest and the furthest coordinates.
-DistanceLine generalLine(const LinePiece& piece, double x, double y, double z,
-                         const CrackleSettings& settings) {
-    const std::array<double, 3> point{x, y, z};
+/// A distance in another metric: of three coordinates, and the offset as a fourth one.
+class GeneralDistance {
+  public:
+    explicit GeneralDistance(const CrackleSettings& settings)
+        : metric_(settings.metric), offset_(settings.offset) {}
+
+    double of(const std::array<double, 3>& way) const {
+        const double distance = length(way);
+        return offset_ == 0 ? distance : crackleNorm(distance, offset_, 0, metric_);
+    }
+    /// Without the offset.
+    double length(const std::array<double, 3>& way) const {
+        return crackleNorm(std::abs(way[0]), std::abs(way[1]), std::abs(way[2]), metric_);
+    }
+    /// How it changes along `direction` at `way`, where it is `distance`; where it has an edge, a slope
+    /// between those of both sides.
+    double slope(const std::array<double, 3>& way, const std::array<double, 3>& direction,
+                 double distance) const {
+        double sum = 0;
+        for (std::size_t k = 0; k < 3 && distance > 0; ++k) {
+            if (way[k] == 0) continue;
+            const double part = metric_ == 1 ? 1 : std::pow(std::abs(way[k]) / distance, metric_ - 1);
+            sum += std::copysign(part, way[k]) * direction[k];
+        }
+        return sum;
+    }
+    /// Whether it is a norm, so that it is convex along a line.
+    bool isNorm() const { return metric_ >= 1; }
+
+  private:
+    double metric_, offset_;
+};
+
+/// In metrics below 1 a distance is between those of the nearest and the furthest coordinates.
+DistanceLine boxedLine(const LinePiece& piece, const std::array<double, 3>& middle,
+                       const GeneralDistance& distance) {
     std::array<double, 3> least, furthest;
     for (std::size_t k = 0; k < 3; ++k) {
-        const double apart = std::abs(piece.center[k] - point[k]);
+        const double apart = std::abs(middle[k]);
         const double reach = std::abs(piece.slope[k]) + piece.error[k] + roundings;
         least[k] = std::max(0.0, apart - reach);
         furthest[k] = apart + reach;
     }
-    const auto finished = [&](const std::array<double, 3>& d) {
-        const double distance = crackleNorm(d[0], d[1], d[2], settings.metric);
-        if (settings.offset == 0) return distance;
-        return crackleNorm(distance, settings.offset, 0, settings.metric);
-    };
-    const double low = finished(least), high = finished(furthest);
+    const double low = distance.of(least), high = distance.of(furthest);
     const double rounding = powerRoundings * high + roundings;
     return {0, low - rounding, high + rounding};
 }
 
+/// In the others it lies between its chord and its tangents at both ends and in the middle; off the line it
+/// changes by no more than the way there is long.
+DistanceLine convexLine(const LinePiece& piece, const std::array<double, 3>& middle,
+                        const GeneralDistance& distance) {
+    const auto at = [&](double s) {
+        std::array<double, 3> way;
+        for (std::size_t k = 0; k < 3; ++k) way[k] = middle[k] + s * piece.slope[k];
+        return way;
+    };
+    const std::array<double, 3> first = at(-1), last = at(1);
+    const double begin = distance.of(first), center = distance.of(middle), end = distance.of(last);
+    const double slope = (end - begin) / 2, chord = begin + (end - begin) / 2;
+    // The tangents at the ends, in relation to the chord, meet at or below the least value.
+    const double down = std::min(0.0, distance.slope(first, piece.slope, begin) - slope);
+    const double up = std::max(0.0, distance.slope(last, piece.slope, end) - slope);
+    const double ends = up > down ? chord + 2 * up * down / (up - down) : chord;
+    const double flat = center - std::abs(distance.slope(middle, piece.slope, center) - slope);
+    const double rounding = distance.length(piece.error) + powerRoundings * std::max(begin, end) + roundings;
+    return {slope, std::max(ends, flat) - rounding, chord + rounding};
+}
+
 void writeGeneralLines(const LinePiece& piece, const CrackleCandidates& found,
-                       const CrackleSettings& settings, DistanceLines& lines) {
+                       const CrackleSettings& settings, std::size_t order, DistanceLines& lines) {
+    const GeneralDistance distance(settings);
+    std::array<std::pair<double, std::size_t>, CrackleCandidates::most> centers;
     lines.count = found.count;
     for (std::size_t i = 0; i < found.count; ++i) {
-        const DistanceLine line = generalLine(piece, found.x[i], found.y[i], found.z[i], settings);
+        const std::array<double, 3> middle{piece.center[0] - found.x[i], piece.center[1] - found.y[i],
+                                           piece.center[2] - found.z[i]};
+        const DistanceLine line =
+            distance.isNorm() ? convexLine(piece, middle, distance) : boxedLine(piece, middle, distance);
         lines.slope[i] = line.slope;
         lines.low[i] = line.low;
         lines.high[i] = i < found.always ? line.high : infinite;
+        centers[i] = {(line.low + line.high) / 2, i};
     }
+    std::partial_sort(centers.begin(), centers.begin() + static_cast<std::ptrdiff_t>(order),
+                      centers.begin() + static_cast<std::ptrdiff_t>(found.always));
+    for (std::size_t k = 0; k < order; ++k) lines.nearest[k] = centers[k].second;
+}
+
+/// From the least to the greatest of some numbers.
+class Extent {
+  public:
+    void add(double value) {
+        low_ = std::min(low_, value);
+        high_ = std::max(high_, value);
+    }
+    /// Exact where all are the same.
+    AffineForm form() const { return low_ == high_ ? AffineForm{low_, 0, 0} : between(low_, high_); }
+
+  private:
+    double low_ = infinite, high_ = -infinite;
+};
+
+/// Of `cells`: between the values of the cells that the piece may meet, as long as they are few.
+AffineForm cellsForm(std::span<const AffineForm> operands) {
+    constexpr double most = 64;
+    std::array<double, 3> first, last;
+    double count = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const AffineForm& p = operands[k];
+        const double reach = std::abs(p.b) + p.e;
+        // What a form without a reach says is exact.
+        const double rounding = reach == 0 ? 0 : roundings * (std::abs(p.a) + reach);
+        first[k] = std::floor(p.a - reach - rounding);
+        last[k] = std::floor(p.a + reach + rounding);
+        count *= last[k] - first[k] + 1;
+    }
+    if (!(count <= most)) return anywhere;
+    Extent extent;
+    for (double i = first[0]; i <= last[0]; ++i)
+        for (double j = first[1]; j <= last[1]; ++j)
+            for (double k = first[2]; k <= last[2]; ++k) extent.add(cellValue(i, j, k));
+    return extent.form();
+}
+
+/// Of what is looked up: beside its chord where it is straight enough, else between its bounds.
+AffineForm tableForm(std::span<const AffineForm> operands, const PointTable& table) {
+    PointTable::Way way;
+    std::array<double, 3> first, last;
+    bool isPlace = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const AffineForm& p = operands[k];
+        const double reach = std::abs(p.b) + p.e;
+        const double rounding = reach == 0 ? 0 : roundings * (std::abs(p.a) + reach);
+        isPlace = isPlace && std::abs(p.a) + reach < lastCell;
+        way.box[k] = {p.a - reach - rounding, p.a + reach + rounding, false};
+        way.slope[k] = p.b;
+        way.error[k] = p.e + rounding;
+        first[k] = p.a - p.b;
+        last[k] = p.a + p.b;
+    }
+    const Interval range = table.range(way.box);
+    if (range.isPoint()) return {range.low, 0, 0};
+    const AffineForm flat = between(range.low, range.high);
+    if (!isPlace) return flat;
+    const auto [bend, spread] = table.straightness(way);
+    if (!(bend + spread < flat.e / 2)) return flat;
+    const double begin = table.value(first), end = table.value(last);
+    const double rounding = roundings * std::max(std::abs(begin), std::abs(end));
+    return {begin + (end - begin) / 2, (end - begin) / 2, bend + spread + rounding};
+}
+
+/// Of `solid`: between the values of the cell points that can be the nearest.
+AffineForm solidForm(const CrackleCandidates& found, const DistanceLines& lines, int noiseGenerator) {
+    const auto isNearerThan = [&](std::size_t i, std::size_t j) {
+        const double apart = lines.low[j] - lines.high[i];
+        return apart > std::abs(lines.slope[j] - lines.slope[i]);
+    };
+    Extent extent;
+    for (std::size_t j = 0; j < lines.count; ++j) {
+        bool counts = true;
+        for (std::size_t i = 0; i < lines.count && counts; ++i) counts = !isNearerThan(i, j);
+        if (counts) extent.add(noise(noiseGenerator, found.x[j], found.y[j], found.z[j]));
+    }
+    return extent.form();
 }
 
 bool hasCrackleMetric(const CrackleSettings& settings) {
@@ -86,6 +223,7 @@ bool hasCrackleMetric(const CrackleSettings& settings) {
 
 /// How many of the distances count.
 int orderOf(const CrackleSettings& settings) {
+    if (settings.solid) return 1;
     return settings.form[2] != 0 ? 3 : settings.form[1] != 0 ? 2 : 1;
 }
 
@@ -111,15 +249,14 @@ AffineForm clipped(AffineForm p) {
 }  // namespace
 
 bool hasCrackleBounds(const CrackleSettings& settings) {
-    return !settings.table && !settings.cells && !settings.solid && hasCrackleMetric(settings);
+    return settings.table ? settings.table->hasRanges() : settings.cells || hasCrackleMetric(settings);
 }
 
 AffineForm affineCrackle(std::span<const AffineForm> operands, const CrackleSettings& settings) {
-    if (settings.table) return between(settings.table->low(), settings.table->high());
+    if (settings.table) return tableForm(operands, *settings.table);
     for (const AffineForm& p : operands)
         if (!(std::abs(p.a) + std::abs(p.b) + p.e < lastCell)) return unknownForm;
-    constexpr AffineForm anywhere{0.5, 0, 0.5};
-    if (settings.cells || settings.solid) return anywhere;
+    if (settings.cells) return cellsForm(operands);
     const LinePiece piece = pieceOf(operands);
     const int order = orderOf(settings);
     if (!hasCrackleMetric(settings)) return unknownForm;
@@ -130,7 +267,8 @@ AffineForm affineCrackle(std::span<const AffineForm> operands, const CrackleSett
     if (settings.metric == 2)
         writeEuclideanLines(piece, *found, settings.offset, static_cast<std::size_t>(order), lines);
     else
-        writeGeneralLines(piece, *found, settings, lines);
+        writeGeneralLines(piece, *found, settings, static_cast<std::size_t>(order), lines);
+    if (settings.solid) return solidForm(*found, lines, settings.noiseGenerator);
     AffineForm sum{0, 0, 0};
     double low = 0, high = 0, size = 0;
     for (std::size_t k = 0; k < 3; ++k) {

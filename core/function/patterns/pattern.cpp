@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/function/patterns/pattern_call.h"
 #include "core/function/surface_variables.h"
@@ -11,12 +12,27 @@ namespace isoscope {
 
 namespace {
 
-/// Any function in place of a pattern. Above 1 only its fraction is kept, as with gradient.
+/// Bounds of what stands in place of a formula, where it is looked up or measured in cells.
+struct Bounds {
+    double low, high;
+};
+std::optional<Bounds> lookedUpBounds(const Pattern& pattern) {
+    if (pattern.kind != PatternKind::function || !pattern.function.valid()) return std::nullopt;
+    const FunctionGraph& graph = *pattern.function.graph;
+    const Node& result = graph[pattern.function.results[0]];
+    if (result.operation != Operation::crackle) return std::nullopt;
+    const auto& table = graph.crackleSettings(result.index).table;
+    return table ? Bounds{table->low(), table->high()} : Bounds{0, 1};
+}
+
+/// Any function in place of a pattern. Above 1 only its fraction is kept, as with gradient, unless it is
+/// looked up.
 Expression functionPattern(const PatternCall& call) {
     const Function& function = call.pattern.function;
     if (!function.valid()) return call.number(0);
     const NodeId point[] = {call.x.node(), call.y.node(), call.z.node()};
     const Expression value(call.x.graph(), call.x.graph().inlineCall(function, point));
+    if (lookedUpBounds(call.pattern)) return value;
     return select(1 - value, mod(value, value.number(1)), value);
 }
 
@@ -104,6 +120,7 @@ bool hasUnitColors(const FractalColoring& exterior, const FractalColoring& inter
 
 /// Whether a pattern's raw value is in [0, 1], where remainder and negative fix change nothing.
 bool staysInUnitRange(const Pattern& pattern) {
+    if (const auto bounds = lookedUpBounds(pattern)) return bounds->low >= 0 && bounds->high <= 1;
     switch (pattern.kind) {
         case PatternKind::mandel:
         case PatternKind::julia:
@@ -142,6 +159,7 @@ Expression wrappedToUnit(const Pattern& pattern, Expression value) {
     if (staysInUnitRange(pattern) && (unchanged || frequency == 0)) return value;
     if (!unchanged && frequency != 0) value = value * frequency + phase;
     if (frequency != 0) value = mod(value, value.number(1.00001));
+    if (const auto bounds = lookedUpBounds(pattern); unchanged && bounds && bounds->low >= 0) return value;
     return select(value, value - floor(value), value);
 }
 

@@ -51,7 +51,9 @@ Expression crackle(const PatternCall& call) {
     settings.noiseGenerator = call.generator;
     settings.cells = call.pattern.kind == PatternKind::cells;
     FunctionGraph& graph = call.x.graph();
-    return {graph, graph.crackle(settings, call.x.node(), call.y.node(), call.z.node())};
+    // Where a cell ends is known to all evaluators by the steps of floor.
+    const auto place = [&](const Expression& t) { return settings.cells ? floor(t).node() : t.node(); };
+    return {graph, graph.crackle(settings, place(call.x), place(call.y), place(call.z))};
 }
 
 }  // namespace

@@ -246,7 +246,7 @@ bool PatternReader::parseImagePattern() {
     const PatternPoint point{scope.expression(*scope.find("x")), scope.expression(*scope.find("y")),
                              scope.expression(*scope.find("z"))};
     const Expression value =
-        imageValue(image, alpha ? ImageChannel::storedTransparency : ImageChannel::storedGray, point);
+        imageValue(image, alpha ? ImageChannel::storedTransparency : ImageChannel::patternGray, point);
     pattern.kind = PatternKind::function;
     pattern.function = scope.finish({value.node()});
     return true;

@@ -53,9 +53,23 @@ void CertifiedRootFinder::find(std::span<const LineQuery> queries, const RootReq
     for (RootList& list : roots) list.clear();
     isPicture_ = isPicture(queries.size(), request);
     prepare(queries);
+    if (!forms_.certain()) return findUncertain(queries, request, roots);
     search(queries, request, roots);
     searchByPovray(queries, request, roots);
     finish(queries, request, roots);
+}
+
+/// Enclosures that never narrow decide nothing: all is left to POV-Ray's method.
+void CertifiedRootFinder::findUncertain(std::span<const LineQuery> queries, const RootRequest& request,
+                                        std::span<RootList> roots) {
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        if (!wanted_[i]) continue;
+        verdicts_[i] = Verdict::notCertified;
+        ++searches_;
+    }
+    LipschitzRootFinder& finder = povray();
+    finder.find(queries, {request.sufficient, false, request.stop}, roots);
+    povrayValues_ += finder.report().evaluations;
 }
 
 bool CertifiedRootFinder::isPicture(std::size_t lines, const RootRequest& request) {
@@ -203,7 +217,6 @@ void CertifiedRootFinder::searchByPovray(std::span<const LineQuery> queries, con
 /// The function is known to have one sign all along the line.
 void CertifiedRootFinder::miss(std::size_t line, double sign) {
     ++searches_;
-    if (!forms_.certain()) verdicts_[line] = Verdict::notCertified;
     noteEnd(line, sign);
 }
 
@@ -235,7 +248,7 @@ void CertifiedRootFinder::addEntryWalls(std::span<const LineQuery> queries, std:
     const auto enter = [&](std::size_t i) {
         roots[i].push_back({queries[i].near, RootKind::entryWall});
         wanted_[i] = queries[i].near < request.sufficient;
-        if (!wanted_[i]) verdicts_[i] = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
+        if (!wanted_[i]) verdicts_[i] = Verdict::certifiedHit;
     };
     for (std::size_t i = first; i < end; ++i) {
         if (!(queries[i].near > 0) || !wanted_[i]) continue;
@@ -275,6 +288,7 @@ void CertifiedRootFinder::addExitWalls(std::span<const LineQuery> queries, const
 }
 
 void CertifiedRootFinder::findFirst(const LineColumns& lines, const RootRequest& request, FirstRoots& roots) {
+    if (!forms_.certain()) return LineRootFinder::findFirst(lines, request, roots);
     roots.clear(lines.count);
     isPicture_ = isPicture(lines.count, request);
     firstVerdicts_.assign(lines.count, Verdict::certifiedMiss);
@@ -326,8 +340,7 @@ bool CertifiedRootFinder::findByCells(const LineColumns& lines, const RootReques
     }
     if (request.stop.stop_requested()) return true;
     searches_ += cells_.searched() - cells_.rest().size();
-    const Verdict hit = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
-    if (!forms_.certain()) noteSearched(lines);
+    const Verdict hit = Verdict::certifiedHit;
     roots.noteCrossings(hit, firstVerdicts_);
     for (const std::size_t line : roots.entryWalls) firstVerdicts_[line] = hit;
     for (const NewtonPolish::Unsettled& crossing : cells_.unsettled()) firstVerdicts_[crossing.line] = hit;
@@ -338,7 +351,7 @@ bool CertifiedRootFinder::findByCells(const LineColumns& lines, const RootReques
 
 void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots) {
     starts_.reset(lines.count);
-    const Verdict hit = forms_.certain() ? Verdict::certifiedHit : Verdict::notCertified;
+    const Verdict hit = Verdict::certifiedHit;
     if (lines.count >= BundleMarch::bundleLines) {
         marched_.clear();
         bundles_.run(lines, {{settings_.threshold, settings_.positivePolarity}, !settings_.open}, forms_,
@@ -361,7 +374,6 @@ void CertifiedRootFinder::findPlain(const LineColumns& lines, const RootRequest&
     }
     if (request.stop.stop_requested()) return;
     searches_ += march_.searched() - found.rest.size();
-    if (!forms_.certain()) noteSearched(lines);
     for (std::size_t i = 0; i < found.crossings.size(); ++i)
         firstVerdicts_[static_cast<std::size_t>(found.crossings[MarchKernel::foundLine][i])] = hit;
     for (const std::size_t line : found.entryWalls) firstVerdicts_[line] = hit;
@@ -391,12 +403,6 @@ void CertifiedRootFinder::noteWalls(const LineColumns& lines) {
                 const std::size_t i = asked_[k];
                 if (value < 0) starts_.set(i, 1, {lines.near[i], -1, lines.far[i] - lines.near[i]});
             });
-}
-
-/// The function holds an operation without certain bounds: nothing is certain about any line.
-void CertifiedRootFinder::noteSearched(const LineColumns& lines) {
-    for (std::size_t i = 0; i < lines.count; ++i)
-        if (isSearchable(lines[i])) firstVerdicts_[i] = Verdict::notCertified;
 }
 
 void CertifiedRootFinder::findRest(const LineColumns& lines, std::span<const MarchKernel::Line> searched,
@@ -437,6 +443,7 @@ void CertifiedRootFinder::takeRest(double sufficient, FirstRoots& roots) {
 }
 
 void CertifiedRootFinder::normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) {
+    if (!forms_.certain()) return povray().normals(points, out);
     const double outward = settings_.positivePolarity ? -1 : 1;
     std::array<double, batchLanes> x, y, z;
     std::array<ValueAndGradient, batchLanes> gradients;

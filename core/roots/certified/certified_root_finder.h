@@ -33,8 +33,9 @@ class PreparedFunction;
 /// empty space together, functions with many choices in cells; what is left of each line is marched with
 /// affine forms, 64 lines at a time. GeneralSearch takes the lines that none of these settles. Of first
 /// roots, lines of which too little can be proven (SearchAllowance) are POV-Ray's, by max_gradient, with the
-/// verdict budgetExceeded. Else max_gradient and `evaluate` are not used; RootRequest::missMemory has no
-/// effect. Crossings are polished by point evaluations far below the accuracy.
+/// verdict budgetExceeded; so are all roots and normals of functions that look up what has no bounds for
+/// parts of space, with the verdict notCertified. Else max_gradient and `evaluate` are not used;
+/// RootRequest::missMemory has no effect. Crossings are polished by point evaluations far below the accuracy.
 ///
 /// The same list of lines gets the same answers to the last bit. Neighbours of a line in lists of 16 and more
 /// can move its roots by what the polish leaves open, and decide whether a jump is met as a gap: they pass
@@ -97,7 +98,6 @@ class CertifiedRootFinder : public LineRootFinder {
     bool findByCells(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     void findPlain(const LineColumns& lines, const RootRequest& request, FirstRoots& roots);
     void noteWalls(const LineColumns& lines);
-    void noteSearched(const LineColumns& lines);
     void findRest(const LineColumns& lines, std::span<const MarchKernel::Line> searched,
                   std::span<const NewtonPolish::Unsettled> unsettled, const RootRequest& request,
                   FirstRoots& roots);
@@ -108,6 +108,8 @@ class CertifiedRootFinder : public LineRootFinder {
                        const RootRequest& request, std::span<RootList> roots);
     void addExitWalls(std::span<const LineQuery> queries, const RootRequest& request,
                       std::span<RootList> roots);
+    void findUncertain(std::span<const LineQuery> queries, const RootRequest& request,
+                       std::span<RootList> roots);
     void search(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
     void searchSlabs(std::span<const LineQuery> queries, const RootRequest& request,
                      std::span<RootList> roots);
