@@ -204,6 +204,22 @@ class CertifiedRootFinderTest : public QObject {
         QCOMPARE(answer.roots[1].kind, RootKind::exitWall);
     }
 
+    /// The value at the wall is that of the other side of the jump; the surface was lost, and certified so.
+    void surfaceAtAJumpInTheWallIsMetOnEntry() {
+        const auto tape = tapeOf([](auto x, auto, auto) {
+            return select(abs(mod(x * 1.5, x.number(2)) - 1) - 0.5, x.number(-0.3), x.number(0.2));
+        });
+        for (const bool open : {false, true}) {
+            RootSettings settings;
+            settings.open = open;
+            // In from x = 1, where 1.5 x - 1 is 0.5.
+            const Answer answer = ask(tape, {{2, 0.1, 0.2}, {-1, 0, 0}, 1, 3}, settings, 0);
+            QCOMPARE(answer.roots.size(), std::size_t(1));
+            QVERIFY(answer.roots[0].kind == RootKind::crossing && answer.roots[0].t == 1);
+            QVERIFY(answer.verdict == Verdict::certifiedHit);
+        }
+    }
+
     void closedContainersHaveWalls() {
         RootSettings settings;
         settings.maxTrace = 10;

@@ -118,7 +118,8 @@ void GeneralSearch::begin(const LineQuery& query, const RootSettings& settings, 
     lane[&MarchLanes::tolerance] = std::max(tolerance, resolution);
     lane[&MarchLanes::sign] = 0;
     lane[&MarchLanes::signPlace] = lane.start() = near_;
-    lane[&MarchLanes::watched] = MarchLanes::noSign;
+    // A line that is inside at its wall by its value there is not searched.
+    lane[&MarchLanes::watched] = entering_ ? MarchLanes::insideSign : MarchLanes::noSign;
     lane[&MarchLanes::unresolvedError] = 0;
     lane[&MarchLanes::evaluations] = 0;
     lane[&MarchLanes::budget] = budget;
@@ -294,10 +295,10 @@ void GeneralSearch::skipUndefined(const Lane& lane) {
 }
 
 /// A line that comes from outside is inside at the first place t with a sign. Where it was not inside at the
-/// wall, by its value there, the surface is in the wall, but for rounding, or behind it; an open surface may
-/// also begin inside.
+/// wall, by its value there, the surface is in the wall, as that of a jump at the very place is, or behind it;
+/// an open surface may also begin inside.
 void GeneralSearch::firstSign(int sign, double t, const Lane& lane, LineFunction& line) {
-    const bool enters = entering_ && sign < 0 && t > near_ && line.value(near_) >= 0;
+    const bool enters = entering_ && sign < 0 && line.value(near_) >= 0;
     entering_ = false;
     if (!enters) return;
     if (t - near_ <= lane[&MarchLanes::tolerance])
