@@ -118,7 +118,7 @@ void GeneralSearch::begin(const LineQuery& query, const RootSettings& settings, 
     lane[&MarchLanes::tolerance] = std::max(tolerance, resolution);
     lane[&MarchLanes::sign] = 0;
     lane[&MarchLanes::signPlace] = lane.start() = near_;
-    // A line that is inside at its wall by its value there is not searched.
+    // Inside right behind its wall, a line may not be so at the wall: firstSign().
     lane[&MarchLanes::watched] = entering_ ? MarchLanes::insideSign : MarchLanes::noSign;
     lane[&MarchLanes::unresolvedError] = 0;
     lane[&MarchLanes::evaluations] = 0;
