@@ -12,8 +12,9 @@ namespace isoscope {
 
 namespace {
 
-/// How near a root is to be known, in parts of the accuracy or of the interval.
-constexpr double remainder = 5e-5;
+/// How near a root is to be known, in parts of the accuracy or of the interval: estimates, so that two
+/// answers for a line stay within 1e-4 of each other with some room.
+constexpr double remainder = 4e-5;
 /// More secants than these are not tried.
 constexpr int secants = 3;
 /// A step has to leave no more than this part of the value, or there may be a kink.
