@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numeric/interval.h"
+
 namespace isoscope {
 
 Interval PointTable::range(const std::array<Interval, 3>& box) const {
@@ -12,5 +14,7 @@ Interval PointTable::range(const std::array<Interval, 3>& box) const {
     });
     return usual ? rangeIn(box) : Interval{low(), high(), false};
 }
+
+Interval PointTable::rangeIn(const std::array<Interval, 3>&) const { return {low(), high(), false}; }
 
 }  // namespace isoscope

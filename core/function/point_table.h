@@ -2,10 +2,11 @@
 #pragma once
 
 #include <array>
-
-#include "core/numeric/interval.h"
+#include <limits>
 
 namespace isoscope {
+
+struct Interval;
 
 /// A number for every point of space that no formula gives: a channel of an image, a file of densities,
 /// whether the point lies in an object. Immutable; shared by all threads, which may ask at the same time.
@@ -23,24 +24,24 @@ class PointTable {
 
     /// Whether range() narrows with its box, as proofs along a ray need it.
     virtual bool hasRanges() const { return false; }
-    /// How straight value() is: along a + b s, s from -1 to 1, it lies within `bend` of its chord, and
-    /// changes by no more than `spread` where each coordinate is moved by its error.
+    /// How straight value() is along a way.
     struct Straightness {
-        double bend = Interval::infinite, spread = Interval::infinite;
+        static constexpr double unknown = std::numeric_limits<double>::infinity();
+        double bend = unknown, spread = unknown;
     };
-    /// A way through a box, which holds it with its errors.
-    struct Way {
-        std::array<Interval, 3> box;
-        std::array<double, 3> slope, error;  ///< b, and the errors, which are not negative
-    };
-    /// Infinite where nothing is known. The box must be finite and hold numbers alone.
-    virtual Straightness straightness(const Way&) const { return {}; }
+    /// Along a + b s, s from -1 to 1, value() lies within `bend` of its chord, and changes by no more than
+    /// `spread` where each coordinate is moved by its error. `slope` is b, `errors` are not negative, and the
+    /// box, which must be finite and hold numbers alone, holds all of that.
+    virtual Straightness straightness(const std::array<Interval, 3>&, const std::array<double, 3>& /*slope*/,
+                                      const std::array<double, 3>& /*errors*/) const {
+        return {};
+    }
     /// Bounds of value() in a box, finite and with numbers throughout; in any other low() and high().
     Interval range(const std::array<Interval, 3>& box) const;
 
   protected:
     /// The same in a box that is finite and holds numbers alone.
-    virtual Interval rangeIn(const std::array<Interval, 3>&) const { return {low(), high(), false}; }
+    virtual Interval rangeIn(const std::array<Interval, 3>&) const;
 };
 
 }  // namespace isoscope

@@ -119,19 +119,22 @@ const SampleBounds& DensityTable::bounds() const {
     return *bounds_;
 }
 
-PointTable::Straightness DensityTable::straightness(const Way& way) const {
-    Way places = way;
+PointTable::Straightness DensityTable::straightness(const std::array<Interval, 3>& box,
+                                                    const std::array<double, 3>& slope,
+                                                    const std::array<double, 3>& errors) const {
+    std::array<Interval, 3> places;
+    std::array<double, 3> slopes, reaches;
     for (std::size_t k = 0; k < 3; ++k) {
-        const auto [low, high, undefined] = way.box[k];
+        const auto [low, high, undefined] = box[k];
         if (!(low >= 0 && high < 1)) return {};
         const double size = volume_->size[k];
-        places.box[k] = {low * size, high * size, false};
-        places.slope[k] *= size;
-        places.error[k] *= size;
+        places[k] = {low * size, high * size, false};
+        slopes[k] = slope[k] * size;
+        reaches[k] = errors[k] * size;
     }
     // Where what is less than 0 is cut off there is an edge.
-    if (interpolation_ == Interpolation::cubic && !(rangeIn(way.box).low > 0)) return {};
-    return bounds().straightness(places);
+    if (interpolation_ == Interpolation::cubic && !(rangeIn(box).low > 0)) return {};
+    return bounds().straightness(places, slopes, reaches);
 }
 
 Interval DensityTable::rangeIn(const std::array<Interval, 3>& box) const {

@@ -38,7 +38,8 @@ class DensityTable : public PointTable {
     double value(const std::array<double, 3>& point) const override;
     double high() const override { return interpolation_ == Interpolation::cubic ? 2 : 1; }
     bool hasRanges() const override { return true; }
-    Straightness straightness(const Way& way) const override;
+    Straightness straightness(const std::array<Interval, 3>& box, const std::array<double, 3>& slope,
+                              const std::array<double, 3>& errors) const override;
 
   private:
     const SampleBounds& bounds() const;

@@ -84,21 +84,21 @@ std::array<Interval, 3> ImageTable::gridOf(const Interval& u, const Interval& v)
             (Interval::point(1) - v) * height + Interval::point(isGray() ? below_ : 0), Interval::point(0)};
 }
 
-PointTable::Straightness ImageTable::straightness(const Way& way) const {
+PointTable::Straightness ImageTable::straightness(const std::array<Interval, 3>& box,
+                                                  const std::array<double, 3>& slope,
+                                                  const std::array<double, 3>& errors) const {
     if (image_.width <= 0 || image_.height <= 0 || !hasRanges()) return {};
-    const std::array<double, 2> sizes{static_cast<double>(image_.width), static_cast<double>(image_.height)};
-    Way places{gridOf(way.box[0], way.box[1]), {}, {}};
-    for (std::size_t k = 0; k < sizes.size(); ++k) {
-        if (image_.once && !(way.box[k].low >= 0 && way.box[k].high < 1)) return {};
-        places.slope[k] = sizes[k] * way.slope[k];
-        places.error[k] = sizes[k] * way.error[k];
-    }
+    if (image_.once)
+        for (std::size_t k = 0; k < 2; ++k)
+            if (!(box[k].low >= 0 && box[k].high < 1)) return {};
     // Where values are cut off there is an edge.
     if (isCutOff()) {
-        const Interval range = rangeIn(way.box);
+        const Interval range = rangeIn(box);
         if (!(range.low > 0 && range.high < 1)) return {};
     }
-    return bounds().straightness(places);
+    const double width = image_.width, height = image_.height;
+    return bounds().straightness(gridOf(box[0], box[1]), {slope[0] * width, slope[1] * height, 0},
+                                 {errors[0] * width, errors[1] * height, 0});
 }
 
 Interval ImageTable::rangeIn(const std::array<Interval, 3>& box) const {

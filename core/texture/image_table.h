@@ -39,7 +39,8 @@ class ImageTable : public PointTable {
     double high() const override;
     /// Not of images that are interpolated by distance.
     bool hasRanges() const override;
-    Straightness straightness(const Way& way) const override;
+    Straightness straightness(const std::array<Interval, 3>& box, const std::array<double, 3>& slope,
+                              const std::array<double, 3>& errors) const override;
 
   private:
     Interval rangeIn(const std::array<Interval, 3>& box) const override;

@@ -176,23 +176,25 @@ Interval SampleBounds::over(const std::array<Interval, 3>& box, double middle) c
     return {std::max(center - wide, middle - narrow), std::min(center + wide, middle + narrow), false};
 }
 
-PointTable::Straightness SampleBounds::straightness(const PointTable::Way& way) const {
-    const auto [extent, oneCell] = samplesOf(way.box);
+PointTable::Straightness SampleBounds::straightness(const std::array<Interval, 3>& box,
+                                                    const std::array<double, 3>& slope,
+                                                    const std::array<double, 3>& errors) const {
+    const auto [extent, oneCell] = samplesOf(box);
     if (join_ == SampleJoin::none || (join_ == SampleJoin::linear && !oneCell)) return {};
     const Reach reach = reachOf(join_);
     const double half = (static_cast<double>(extent.high) - extent.low) / 2 * overshoot();
-    double length = 0, squares = 0, errors = 0;
+    double length = 0, squares = 0, moved = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         if (axes_[k].size == 1) continue;
-        length += std::abs(way.slope[k]);
-        squares += way.slope[k] * way.slope[k];
-        errors += way.error[k] + slackOf(way.box[k]);
+        length += std::abs(slope[k]);
+        squares += slope[k] * slope[k];
+        moved += errors[k] + slackOf(box[k]);
     }
     // Second derivatives along one axis, and along two: twice the product of the ways counts for each pair.
     const double pairs = length * length - squares;
     const double second = half * (reach.bend * squares + reach.slope * reach.slope * pairs);
     const double rounding = roundings * std::max(std::abs(double(extent.low)), std::abs(double(extent.high)));
-    return {second / 2 * (1 + roundings) + rounding, half * reach.slope * errors + rounding};
+    return {second / 2 * (1 + roundings) + rounding, half * reach.slope * moved + rounding};
 }
 
 }  // namespace isoscope

@@ -35,9 +35,11 @@ class SampleBounds {
     /// lines and splines leave that by no more than their slope allows, so that bounds get as narrow as the
     /// box. The box must be finite and not empty.
     Interval over(const std::array<Interval, 3>& box, double middle) const;
-    /// Along a way of coordinates of the grid, of all that is joined within one cell, and of splines
-    /// anywhere.
-    PointTable::Straightness straightness(const PointTable::Way& way) const;
+    /// As PointTable::straightness() in coordinates of the grid, of all that is joined within one cell, and
+    /// of splines anywhere.
+    PointTable::Straightness straightness(const std::array<Interval, 3>& box,
+                                          const std::array<double, 3>& slope,
+                                          const std::array<double, 3>& errors) const;
 
   private:
     struct Extent {

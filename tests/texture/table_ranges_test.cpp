@@ -87,22 +87,22 @@ int keepsToItsChords(const PointTable& table, Random& random) {
     int straight = 0;
     for (int round = 0; round < 30; ++round) {
         const double size = std::pow(10, random.between(-6, 0));
-        PointTable::Way way;
-        std::array<double, 3> center;
+        std::array<Interval, 3> box;
+        std::array<double, 3> center, slope, errors;
         for (std::size_t k = 0; k < 3; ++k) {
             center[k] = random.between(-0.2, 1.2);
-            way.slope[k] = random.between(-size, size);
-            way.error[k] = random.chance(0.5) ? 0 : random.between(0, 0.3 * size);
-            const double reach = (std::abs(way.slope[k]) + way.error[k]) * (1 + 1e-12) + 1e-15;
-            way.box[k] = {center[k] - reach, center[k] + reach, false};
+            slope[k] = random.between(-size, size);
+            errors[k] = random.chance(0.5) ? 0 : random.between(0, 0.3 * size);
+            const double reach = (std::abs(slope[k]) + errors[k]) * (1 + 1e-12) + 1e-15;
+            box[k] = {center[k] - reach, center[k] + reach, false};
         }
         const auto valueAt = [&](double s, bool moved) {
             std::array<double, 3> at;
             for (std::size_t k = 0; k < 3; ++k)
-                at[k] = center[k] + s * way.slope[k] + (moved ? random.between(-1, 1) * way.error[k] : 0);
+                at[k] = center[k] + s * slope[k] + (moved ? random.between(-1, 1) * errors[k] : 0);
             return table.value(at);
         };
-        const auto [bend, spread] = table.straightness(way);
+        const auto [bend, spread] = table.straightness(box, slope, errors);
         if (!std::isfinite(bend)) continue;
         straight += bend < 0.01;
         const double first = valueAt(-1, false), last = valueAt(1, false);

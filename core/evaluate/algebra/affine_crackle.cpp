@@ -12,6 +12,7 @@
 #include "core/function/scalar_operations.h"
 #include "core/numeric/crackle.h"
 #include "core/numeric/crackle_candidates.h"
+#include "core/numeric/interval.h"
 #include "core/numeric/noise.h"
 
 namespace isoscope {
@@ -175,25 +176,25 @@ AffineForm cellsForm(std::span<const AffineForm> operands) {
 
 /// Of what is looked up: beside its chord where it is straight enough, else between its bounds.
 AffineForm tableForm(std::span<const AffineForm> operands, const PointTable& table) {
-    PointTable::Way way;
-    std::array<double, 3> first, last;
+    std::array<Interval, 3> box;
+    std::array<double, 3> slope, errors, first, last;
     bool isPlace = true;
     for (std::size_t k = 0; k < 3; ++k) {
         const AffineForm& p = operands[k];
         const double reach = std::abs(p.b) + p.e;
         const double rounding = reach == 0 ? 0 : roundings * (std::abs(p.a) + reach);
         isPlace = isPlace && std::abs(p.a) + reach < lastCell;
-        way.box[k] = {p.a - reach - rounding, p.a + reach + rounding, false};
-        way.slope[k] = p.b;
-        way.error[k] = p.e + rounding;
+        box[k] = {p.a - reach - rounding, p.a + reach + rounding, false};
+        slope[k] = p.b;
+        errors[k] = p.e + rounding;
         first[k] = p.a - p.b;
         last[k] = p.a + p.b;
     }
-    const Interval range = table.range(way.box);
+    const Interval range = table.range(box);
     if (range.isPoint()) return {range.low, 0, 0};
     const AffineForm flat = between(range.low, range.high);
     if (!isPlace) return flat;
-    const auto [bend, spread] = table.straightness(way);
+    const auto [bend, spread] = table.straightness(box, slope, errors);
     if (!(bend + spread < flat.e / 2)) return flat;
     const double begin = table.value(first), end = table.value(last);
     const double rounding = roundings * std::max(std::abs(begin), std::abs(end));
