@@ -6,11 +6,13 @@
 #include <cmath>
 #include <fstream>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <QTest>
 
 #include "core/function/builtins/builtin.h"
 #include "tests/support/builtin_scene.h"
 #include "tests/support/csv_table.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/study_scene.h"
 
 using namespace isoscope;
@@ -159,9 +161,16 @@ class SearchCostTest : public QObject {
 
   private:
     std::ofstream written_;
+    std::optional<ForcedInstructionSet> instructions_;
 
   private slots:
+    /// Others round in their own ways, and take up to 1 % more or less.
     void initTestCase() {
+#if HWY_ARCH_X86 && !(defined(HWY_COMPILE_ONLY_STATIC) && HWY_STATIC_TARGET < HWY_SSE4)
+        instructions_.emplace(HWY_SSE4);
+#else
+        QSKIP("the table is that of SSE4");
+#endif
         if (const QByteArray file = qgetenv("ISOSCOPE_WRITE_COSTS"); !file.isEmpty()) {
             written_.open(file.toStdString());
             written_ << "name,solver,evaluations,found,missed,others,brightness\n";
@@ -195,7 +204,7 @@ class SearchCostTest : public QObject {
                    (table.field(row, "name") != name || table.field(row, "solver") != solver))
                 ++row;
             QVERIFY2(row < table.rowCount(), "not in the table");
-            // Instruction sets and compilers round in their own ways.
+            // Compilers round in their own ways, too.
             const auto near = [&](const char* column, double got, double slack) {
                 const double wanted = table.number(row, column);
                 return QTest::qVerify(std::abs(got - wanted) <= slack, column,
