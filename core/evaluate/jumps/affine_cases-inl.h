@@ -42,7 +42,7 @@ class AffineCaseAlgebra : public AffineWholeAlgebra {
             case Operation::ceiling: return ceilingOf(p[0], lane);
             case Operation::truncate: return truncated(p[0], lane);
             case Operation::fraction: return fractionOf(p[0], lane);
-            case Operation::integerDivide: return truncated(exactQuotient(p[0], p[1]), lane);
+            case Operation::integerDivide: return truncated(stepQuotient(p[0], p[1]), lane);
             case Operation::remainder: return remainderOf(p[0], p[1], lane);
             case Operation::arcTangent2: return angle(p[0], p[1], lane);
             case Operation::equal: return equality(equal(p[0], p[1]), p[0], p[1], lane);
@@ -170,9 +170,9 @@ class AffineCaseAlgebra : public AffineWholeAlgebra {
         return chooseNumber(hn::And(step.known, fits), exactNumber(step.side), truncate(p));
     }
     HWY_INLINE Number remainderOf(const Number& p, const Number& q, std::size_t lane) {
-        const Number quotient = exactQuotient(p, q);
+        const Number quotient = stepQuotient(p, q);
         const Told step = certainOr(truncationOf(quotient, lane), quotient);
-        const Number side = exactSum(p, negated(exactProduct(q, exactNumber(step.side))));
+        const Number side = stepRest(p, q, step.side);
         return chooseNumber(step.known, side, AffineAlgebra::remainderOf(p, q, quotient));
     }
 

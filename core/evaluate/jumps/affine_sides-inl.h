@@ -54,7 +54,7 @@ class AffineSideAlgebra : public AffineWholeAlgebra {
             case Operation::ceiling: return ceilingOf(p[0], lane);
             case Operation::truncate: return truncated(p[0], lane);
             case Operation::fraction: return fractionOf(p[0], lane);
-            case Operation::integerDivide: return truncated(exactQuotient(p[0], p[1]), lane);
+            case Operation::integerDivide: return truncated(stepQuotient(p[0], p[1]), lane);
             case Operation::remainder: return remainderOf(p[0], p[1], lane);
             case Operation::arcTangent2: return angle(p[0], p[1], lane);
             case Operation::equal: return equality(equal(p[0], p[1]), 0, p[0], p[1], lane);
@@ -218,9 +218,9 @@ class AffineSideAlgebra : public AffineWholeAlgebra {
                       [&]() HWY_ATTR { return truncate(p); });
     }
     HWY_INLINE Number remainderOf(const Number& p, const Number& q, std::size_t lane) {
-        const Number quotient = exactQuotient(p, q);
+        const Number quotient = stepQuotient(p, q);
         const Step step = truncationOf(quotient, lane);
-        const Number side = exactSum(p, negated(exactProduct(q, exactNumber(step.step))));
+        const Number side = stepRest(p, q, step.step);
         return sideOr(step.read, side, [&]() HWY_ATTR { return AffineAlgebra::remainderOf(p, q, quotient); });
     }
 

@@ -61,6 +61,16 @@ class AffineWholeAlgebra : public AffineAlgebra {
         const Mask exact = hn::And(hn::And(isExact(p), divisible), isRemainderless(value, q.a, p.a));
         return chooseNumber(exact, exactNumber(value), quotient);
     }
+    /// p / q, and p - q step for its step toward zero, exact where they are steps of steps.
+    HWY_INLINE Number stepQuotient(const Number& p, const Number& q) const {
+        if (HWY_LIKELY(hn::AllFalse(Doubles(), isExact(p)))) return quotientOf(p, q);
+        return exactQuotient(p, q);
+    }
+    static HWY_INLINE Number stepRest(const Number& p, const Number& q, Vector step) {
+        if (HWY_LIKELY(hn::AllFalse(Doubles(), isExact(p))))
+            return differenceOf(p, productOf(q, exactNumber(step)));
+        return exactSum(p, negated(exactProduct(q, exactNumber(step))));
+    }
     /// Whether a b = product in real numbers; false as well where what is lost could get lost itself.
     static HWY_INLINE Mask isRemainderless(Vector a, Vector b, Vector product) {
         const Vector zero = zeroVector(), size = hn::Abs(product);
