@@ -64,16 +64,19 @@ double DensityTable::value(const std::array<double, 3>& point) const {
     }
 }
 
-/// Beyond its upper sides the volume begins anew, and before the first x; below the others its outermost
-/// samples go on.
-double DensityTable::sample(std::array<int, 3> index) const {
-    std::size_t place = 0;
-    for (std::size_t k = 3; k-- > 0;) {
-        const int size = volume_->size[k];
-        const int inside = (index[k] < 0 ? (k == 0 ? size + index[k] : 0) : index[k]) % size;
-        place = place * static_cast<std::size_t>(size) + static_cast<std::size_t>(inside);
-    }
-    return static_cast<double>(volume_->samples[place]);
+/// What a place along an axis adds to the number of a sample. Beyond its upper sides the volume begins anew,
+/// and before the first x; below the others its outermost samples go on.
+std::size_t DensityTable::along(std::size_t axis, int index) const {
+    const int size = volume_->size[axis];
+    if (index < 0) index = axis == 0 ? size + index : 0;
+    std::size_t stride = 1;
+    for (std::size_t k = 0; k < axis; ++k) stride *= static_cast<std::size_t>(volume_->size[k]);
+    return static_cast<std::size_t>(index % size) * stride;
+}
+
+double DensityTable::sample(const std::array<int, 3>& index) const {
+    return static_cast<double>(
+        volume_->samples[along(0, index[0]) + along(1, index[1]) + along(2, index[2])]);
 }
 
 double DensityTable::nearest(const std::array<double, 3>& point) const {
@@ -85,25 +88,25 @@ double DensityTable::nearest(const std::array<double, 3>& point) const {
 
 /// Samples lie at whole multiples of 1 / size.
 double DensityTable::interpolated(const std::array<double, 3>& point, int first, int last) const {
-    std::array<int, 3> base;
     std::array<std::array<double, 4>, 3> weights{};
+    std::array<std::array<std::size_t, 4>, 3> places{};
+    const auto count = static_cast<std::size_t>(last - first + 1);
     for (std::size_t k = 0; k < 3; ++k) {
         const double place = point[k] * volume_->size[k];
-        base[k] = static_cast<int>(place);
-        for (int step = first; step <= last; ++step) {
-            const double away = place - base[k] - step;
-            weights[k][static_cast<std::size_t>(step - first)] =
-                first < 0 ? cubicWeight(away) : std::max(0.0, 1 - std::abs(away));
+        const int base = static_cast<int>(place);
+        for (std::size_t i = 0; i < count; ++i) {
+            const int step = first + static_cast<int>(i);
+            const double away = place - base - step;
+            weights[k][i] = first < 0 ? cubicWeight(away) : std::max(0.0, 1 - std::abs(away));
+            places[k][i] = along(k, base + step);
         }
     }
     double sum = 0;
-    for (int z = first; z <= last; ++z)
-        for (int y = first; y <= last; ++y)
-            for (int x = first; x <= last; ++x)
-                sum += sample({base[0] + x, base[1] + y, base[2] + z}) *
-                       weights[0][static_cast<std::size_t>(x - first)] *
-                       weights[1][static_cast<std::size_t>(y - first)] *
-                       weights[2][static_cast<std::size_t>(z - first)];
+    for (std::size_t z = 0; z < count; ++z)
+        for (std::size_t y = 0; y < count; ++y)
+            for (std::size_t x = 0; x < count; ++x)
+                sum += static_cast<double>(volume_->samples[places[0][x] + places[1][y] + places[2][z]]) *
+                       weights[0][x] * weights[1][y] * weights[2][z];
     return sum;
 }
 

@@ -44,7 +44,8 @@ class DensityTable : public PointTable {
   private:
     const SampleBounds& bounds() const;
     Interval rangeIn(const std::array<Interval, 3>& box) const override;
-    double sample(std::array<int, 3> index) const;
+    std::size_t along(std::size_t axis, int index) const;
+    double sample(const std::array<int, 3>& index) const;
     double nearest(const std::array<double, 3>& point) const;
     double interpolated(const std::array<double, 3>& point, int first, int last) const;
 
