@@ -19,18 +19,19 @@ ImageTable::ImageTable(const ImageMap& image, ImageChannel channel, int right, i
 }
 
 double ImageTable::value(const std::array<double, 3>& p) const {
-    const double value = valueOf(image_, p[0], p[1], right_, below_);
+    const double value = joined(p[0], p[1]);
     return isCutOff() ? std::clamp(value, 0.0, 1.0) : value;
 }
 
-double ImageTable::valueOf(const ImageMap& image, double u, double v, int right, int below) const {
+/// Before anything is cut off.
+double ImageTable::joined(double u, double v) const {
     const glm::dvec3 point(u, v, 0);
     switch (channel_) {
         case ImageChannel::storedGray:
-        case ImageChannel::patternGray: return channelOf(storedColor(image, point, right, below));
-        case ImageChannel::storedTransparency: return channelOf(storedColor(image, point));
-        case ImageChannel::index: return imageIndex(image, point);
-        default: return channelOf(imageColor(image, point));
+        case ImageChannel::patternGray: return channelOf(storedColor(image_, point, right_, below_));
+        case ImageChannel::storedTransparency: return channelOf(storedColor(image_, point));
+        case ImageChannel::index: return imageIndex(image_, point);
+        default: return channelOf(imageColor(image_, point));
     }
 }
 
@@ -53,6 +54,20 @@ bool ImageTable::hasRanges() const {
     return channel_ == ImageChannel::index || image_.interpolation != ImageInterpolation::distance;
 }
 
+/// What is stored there, from the left and from above.
+double ImageTable::sample(int column, int row) const {
+    const auto number = static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) +
+                        static_cast<std::size_t>(column);
+    if (channel_ == ImageChannel::index && image_.indices) return (*image_.indices)[number];
+    const bool isStored =
+        isGray() || channel_ == ImageChannel::storedTransparency || channel_ == ImageChannel::index;
+    const auto& samples = isStored ? image_.stored : image_.samples;
+    if (!samples) return value({NAN, NAN, 0});
+    const auto& [red, green, blue, filter, transmit] = (*samples)[number];
+    if (channel_ == ImageChannel::index) return static_cast<double>(std::lround(255 * red));
+    return channelOf({red, green, blue, filter, transmit});
+}
+
 void ImageTable::makeBounds() const {
     const int width = image_.width, height = image_.height;
     const bool wraps = !image_.once;
@@ -63,13 +78,8 @@ void ImageTable::makeBounds() const {
         channel_ == ImageChannel::index || image_.interpolation == ImageInterpolation::none ? SampleJoin::none
         : bicubic ? SampleJoin::cubic
                   : SampleJoin::linear;
-    // The middles of the samples, of the image alone.
-    ImageMap plain = image_;
-    plain.interpolation = ImageInterpolation::none;
-    const auto sample = [this, plain](const std::array<int, 3>& place) {
-        return valueOf(plain, (place[0] + 0.5) / plain.width, 1 - (place[1] + 0.5) / plain.height, 0, 0);
-    };
-    bounds_.emplace(axes, join, sample);
+    bounds_.emplace(axes, join,
+                    [this](const std::array<int, 3>& place) { return sample(place[0], place[1]); });
 }
 
 const SampleBounds& ImageTable::bounds() const {
@@ -112,7 +122,7 @@ Interval ImageTable::rangeIn(const std::array<Interval, 3>& box) const {
             *side = {std::max(side->low, 0.0), std::min(side->high, std::nextafter(1, 0)), false};
         }
     const auto middleOf = [](const Interval& side) { return side.low + (side.high - side.low) / 2; };
-    const double middle = valueOf(image_, middleOf(u), middleOf(v), right_, below_);
+    const double middle = joined(middleOf(u), middleOf(v));
     Interval inside = bounds().over(gridOf(u, v), middle);
     if (isCutOff()) inside = {std::clamp(inside.low, 0.0, 1.0), std::clamp(inside.high, 0.0, 1.0), false};
     return isWithin ? inside : hull(inside, Interval::point(value({NAN, NAN, 0})));

@@ -44,7 +44,8 @@ class ImageTable : public PointTable {
 
   private:
     Interval rangeIn(const std::array<Interval, 3>& box) const override;
-    double valueOf(const ImageMap& image, double u, double v, int right, int below) const;
+    double joined(double u, double v) const;
+    double sample(int column, int row) const;
     double channelOf(const Color& color) const;
     bool isGray() const {
         return channel_ == ImageChannel::storedGray || channel_ == ImageChannel::patternGray;

@@ -179,8 +179,9 @@ Interval SampleBounds::over(const std::array<Interval, 3>& box, double middle) c
 PointTable::Straightness SampleBounds::straightness(const std::array<Interval, 3>& box,
                                                     const std::array<double, 3>& slope,
                                                     const std::array<double, 3>& errors) const {
+    if (join_ == SampleJoin::none) return {};
     const auto [extent, oneCell] = samplesOf(box);
-    if (join_ == SampleJoin::none || (join_ == SampleJoin::linear && !oneCell)) return {};
+    if (join_ == SampleJoin::linear && !oneCell) return {};
     const Reach reach = reachOf(join_);
     const double half = (static_cast<double>(extent.high) - extent.low) / 2 * overshoot();
     double length = 0, squares = 0, moved = 0;
