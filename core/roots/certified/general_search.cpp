@@ -295,8 +295,8 @@ void GeneralSearch::skipUndefined(const Lane& lane) {
 }
 
 /// A line that comes from outside is inside at the first place t with a sign. Where it was not inside at the
-/// wall, by its value there, the surface is in the wall, as that of a jump at the very place is, or behind it;
-/// an open surface may also begin inside.
+/// wall, by its value there, the surface is in the wall, as that of a jump at the very place is, or behind
+/// it; an open surface may also begin inside.
 void GeneralSearch::firstSign(int sign, double t, const Lane& lane, LineFunction& line) {
     const bool enters = entering_ && sign < 0 && line.value(near_) >= 0;
     entering_ = false;
