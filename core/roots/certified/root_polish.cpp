@@ -12,9 +12,11 @@ namespace isoscope {
 
 namespace {
 
-/// How near a root is to be known, in parts of the accuracy or of the interval: estimates, so that two
-/// answers for a line stay within 1e-4 of each other with some room.
-constexpr double remainder = 4e-5;
+/// How near a root is to be known, in parts of the accuracy or of the interval.
+constexpr double remainder = 5e-5;
+/// What a step with the enclosure's slope leaves is told for slopes that change evenly; those of blended
+/// folds were seen to change three times as much near one end.
+constexpr double unevenness = 4;
 /// More secants than these are not tried.
 constexpr int secants = 3;
 /// A step has to leave no more than this part of the value, or there may be a kink.
@@ -115,7 +117,7 @@ void RootPolish::polishSmooth(std::span<const RoughRoot> group, std::span<const 
         const bool steady = std::abs(values[k]) <= std::abs(rough.steepness) * (rough.high - rough.low);
         if (!steady || !rough.holds(next))
             unsettled_.push_back(rough);
-        else if (rough.leftover <= remainder)
+        else if (rough.leftover * unevenness <= remainder)
             roots[rough.line][rough.root].t = next;
         else
             bent_.push_back({rough, t[k], values[k], next});
