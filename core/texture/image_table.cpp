@@ -112,7 +112,8 @@ PointTable::Straightness ImageTable::straightness(const std::array<Interval, 3>&
 }
 
 Interval ImageTable::rangeIn(const std::array<Interval, 3>& box) const {
-    if (image_.width <= 0 || image_.height <= 0) return {low(), high(), false};
+    // Weights by distance are steeper than lines.
+    if (image_.width <= 0 || image_.height <= 0 || !hasRanges()) return {low(), high(), false};
     Interval u = box[0], v = box[1];
     bool isWithin = true;
     if (image_.once)

@@ -218,8 +218,7 @@ class SearchCostTest : public QObject {
             if (!near("found", cost.found, 2)) return;
             if (!near("missed", cost.missed, 2)) return;
             if (!near("others", cost.others, 2)) return;
-            // At jumps the last bit decides what POV-Ray's differences show.
-            if (!near("brightness", cost.brightness, 0.3)) return;
+            if (!near("brightness", cost.brightness, 0.05)) return;
         }
     }
 };
