@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "core/texture/cubic_weight.h"
+#include "core/texture/image_place.h"
 
 namespace isoscope {
 
@@ -19,16 +19,6 @@ struct Place {
 };
 
 double fraction(double t) { return t - std::floor(t); }
-
-Place placeOf(ImageMapType type, const glm::dvec3& p) {
-    using std::numbers::pi;
-    if (type == ImageMapType::planar) return {p.x, p.y};
-    const double around = std::hypot(p.x, p.z);
-    const double u = around > 0 ? fraction(std::atan2(p.z, p.x) / (2 * pi)) : 0;
-    if (type == ImageMapType::cylindrical) return {u, p.y};
-    if (type == ImageMapType::torus) return {u, 0.5 + std::atan2(p.y, around - 1) / (2 * pi)};
-    return {u, 0.5 + std::atan2(p.y, around) / pi};
-}
 
 /// A row or column that may lie outside: the edge goes on, or the image begins anew.
 int held(int index, int count, bool once) {
@@ -86,11 +76,12 @@ Color interpolated(const View& view, double x, double y) {
 
 /// Where in the image the point lies, each from 0 to 1; nothing where there is no image.
 std::optional<Place> placeIn(const ImageMap& image, const glm::dvec3& point) {
-    const Place place = placeOf(image.type, point);
-    if (!std::isfinite(place.u) || !std::isfinite(place.v)) return std::nullopt;
-    const bool inside = place.u >= 0 && place.u < 1 && place.v >= 0 && place.v < 1;
+    auto [u, v] = imagePlace(image.type, point.x, point.y, point.z);
+    if (!std::isfinite(u) || !std::isfinite(v)) return std::nullopt;
+    if (image.type != ImageMapType::planar) u = fraction(u);
+    const bool inside = u >= 0 && u < 1 && v >= 0 && v < 1;
     if (image.once && !inside) return std::nullopt;
-    return Place{fraction(place.u), fraction(place.v)};
+    return Place{fraction(u), fraction(v)};
 }
 
 int columnOf(const ImageMap& image, const Place& place) {

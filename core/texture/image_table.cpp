@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/texture/image_place.h"
 
 namespace isoscope {
 
@@ -142,28 +143,14 @@ double ImageTable::high() const {
     return endless ? 1e6 : image_.interpolation == ImageInterpolation::bicubic && !isCutOff() ? 2 : 1;
 }
 
-namespace {
-
-/// u and v of a point on an image of this type, from 0 to 1 where it is `once`.
-std::array<Expression, 2> imagePlace(const ImageMap& image, const PatternPoint& point) {
-    using std::numbers::pi;
-    const auto& [x, y, z] = point;
-    if (image.type == ImageMapType::planar) return {x, y};
-    const Expression turns = atan2(z, x) / (2 * pi), around = sqrt(sq(x) + sq(z));
-    const Expression u = image.once ? turns - floor(turns) : turns;
-    if (image.type == ImageMapType::cylindrical) return {u, y};
-    if (image.type == ImageMapType::torus) return {u, 0.5 + atan2(y, around - 1) / (2 * pi)};
-    return {u, 0.5 + atan2(y, around) / pi};
-}
-
-}  // namespace
-
 Expression imageValue(const std::shared_ptr<const ImageMap>& image, ImageChannel channel,
                       const PatternPoint& point, int right, int below) {
     CrackleSettings settings;
     settings.table = std::make_shared<const ImageTable>(*image, channel, right, below);
     FunctionGraph& graph = point[0].graph();
-    const auto [u, v] = imagePlace(*image, point);
+    auto [u, v] = imagePlace(image->type, point[0], point[1], point[2]);
+    // An image that is there once lies between 0 and 1.
+    if (image->once && image->type != ImageMapType::planar) u = u - floor(u);
     return {graph, graph.crackle(settings, u.node(), v.node(), u.number(0).node())};
 }
 
