@@ -28,12 +28,6 @@ constexpr double usualShare = 0.002;
 /// A mesh is not asked to be closer than this part of the longest side: doubles and the lattice end.
 constexpr double leastShare = 1e-5;
 
-glm::dvec3 sizeOf(const Container& container) {
-    if (const auto* sphere = std::get_if<ContainerSphere>(&container)) return glm::dvec3(2 * sphere->radius);
-    const auto& box = std::get<ContainerBox>(container);
-    return box.high - box.low;
-}
-
 double longest(const glm::dvec3& size) { return std::max({size.x, size.y, size.z}); }
 
 /// Why a container cannot be meshed; empty where it can.

@@ -190,6 +190,25 @@ class IsosurfaceMeshTest : public QObject {
         }
     }
 
+    /// As in pictures: rays pass through what has no value.
+    void whereThereIsNoValueThereIsNoSolid() {
+        const SceneMesh half =
+            meshOf(statement("x*x + y*y + z*z - 1 + 0.5*sqrt(x)", "box { -1.2, 1.2 }"), 0.03);
+        QCOMPARE(checkMesh(half.mesh).fault, std::string());
+        QCOMPARE(half.report.form.pieces, std::size_t(1));
+        QVERIFY(std::abs(enclosedVolume(half.mesh) - 1.24) < 0.03);
+        for (const glm::dvec3& p : half.mesh.points) QVERIFY(p.x > -0.031);
+    }
+
+    /// 0/0 in a plane of the lattice is neither a hole of the ball nor something beside it.
+    void singlePointsWithoutAValueTakeTheOneBeside() {
+        const SceneMesh ball = meshOf(statement("(x*x + y*y + z*z - 0.5)*sin(x)/x", "box { -1, 1 }"), 0.02);
+        const CheckedMesh checked = checkMesh(ball.mesh);
+        QCOMPARE(checked.fault, std::string());
+        QCOMPARE(checked.euler(), 2l);
+        QVERIFY(std::abs(enclosedVolume(ball.mesh) - 4.0 / 3 * std::numbers::pi * std::pow(0.5, 1.5)) < 0.02);
+    }
+
     /// Along the joints of bricks each leaf that is split leaves its neighbour too coarse.
     void leavesAreSplitAlongAJointToItsEnd() {
         const SceneMesh made =

@@ -77,6 +77,16 @@ class ShapeReportTest : public QObject {
         QVERIFY(!has(report, "mirror x") && has(report, "mirror y") && has(report, "any turn about x"));
     }
 
+    /// As in pictures and meshes; half of the container has no value.
+    void whereThereIsNoValueThereIsNoSolid() {
+        const ShapeReport report =
+            reportOn("function { x*x + y*y + z*z - 1 + 0.5*sqrt(x) } contained_by { box { -1.2, 1.2 } }", 32);
+        // The discs of area pi*(1 - x^2 - sqrt(x)/2) to the root of that at x.
+        const double x = 0.7525055546934396, volume = M_PI * (x - x * x * x / 3 - x * std::sqrt(x) / 3);
+        QVERIFY(report.volume.low <= volume && volume <= report.volume.high);
+        QVERIFY(report.volume.high - report.volume.low < 0.1 * volume);
+    }
+
     void walls() {
         const ShapeReport thin = reportOn(
             "function { abs(sqrt(x*x + y*y + z*z) - 0.8) - 0.004 } contained_by { box { -1, 1 } } accuracy "

@@ -119,7 +119,7 @@ void CellOctree::classifyAlike(Batch& batch, std::size_t first, std::size_t end,
     for (std::size_t lane = 0; lane < count; ++lane) {
         const glm::dvec3 from = low(children[lane]), to = high(children[lane]);
         std::int8_t& sign = batch.signs[childrenOfCell * first + lane];
-        if (boxes.sign(lane) > 0 || field_.misses(from, to))
+        if (boxes.isOutside(lane) || field_.misses(from, to))
             sign = 1;
         else if (boxes.sign(lane) < 0 && field_.encloses(from, to))
             sign = -1;

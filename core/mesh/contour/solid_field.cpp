@@ -12,6 +12,23 @@
 
 namespace isoscope {
 
+namespace {
+
+/// From a point without a value to the one whose value it takes, by the size of the container; along no axis
+/// and no diagonal, where functions are undefined together.
+constexpr glm::dvec3 wayBeside(0.61e-9, 0.53e-9, 0.59e-9);
+
+double& valueOf(double& value) { return value; }
+double& valueOf(ValueAndGradient& here) { return here.value; }
+
+}  // namespace
+
+glm::dvec3 sizeOf(const Container& container) {
+    if (const auto* sphere = std::get_if<ContainerSphere>(&container)) return glm::dvec3(2 * sphere->radius);
+    const auto& box = std::get<ContainerBox>(container);
+    return box.high - box.low;
+}
+
 SolidField::SolidField(const Isosurface& surface, std::span<const double> parameters)
     : function_(surface.prepared(parameters)),
       settings_(surface.rootSettings()),
@@ -123,6 +140,25 @@ void SolidSampler::values(std::span<const glm::dvec3> points, std::span<double> 
     else
         points_.evaluate(x_, y_, z_, out);
     for (double& value : out) value = field_.settings().signedValue(value);
+    settleUndefined(points, out);
+}
+
+template <class Value>
+void SolidSampler::settleUndefined(std::span<const glm::dvec3> points, std::span<Value> values) {
+    std::vector<std::size_t> undefined;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (std::isnan(valueOf(values[i]))) undefined.push_back(i);
+    if (undefined.empty()) return;
+    std::vector<glm::dvec3> beside;
+    for (const std::size_t i : undefined)
+        beside.push_back(points[i] + sizeOf(field_.container()) * wayBeside);
+    spread(beside);
+    valuesBeside_.resize(beside.size());
+    points_.evaluate(x_, y_, z_, valuesBeside_);
+    for (std::size_t k = 0; k < undefined.size(); ++k) {
+        const double g = field_.settings().signedValue(valuesBeside_[k]);
+        valueOf(values[undefined[k]]) = std::isnan(g) ? std::numeric_limits<double>::infinity() : g;
+    }
 }
 
 void SolidSampler::gradients(std::span<const glm::dvec3> points, std::span<ValueAndGradient> out) {
@@ -133,6 +169,7 @@ void SolidSampler::gradients(std::span<const glm::dvec3> points, std::span<Value
         if (!field_.settings().positivePolarity) continue;
         for (double& slope : here.gradient) slope = -slope;
     }
+    settleUndefined(points, out);
 }
 
 void SolidSampler::inside(std::span<const glm::dvec3> points, std::span<std::uint8_t> out, bool anywhere) {

@@ -14,9 +14,12 @@
 
 namespace isoscope {
 
+/// The sides of the box around a container.
+glm::dvec3 sizeOf(const Container& container);
+
 /// The solid that an isosurface encloses, in its own coordinates: the points of the container at which g (the
-/// function less the threshold, negated for polarity +) is below 0 or undefined, as in POV-Ray. Immutable,
-/// shared by threads.
+/// function less the threshold, negated for polarity +) is below 0. Where g is undefined there is nothing, as
+/// in pictures: rays pass through it. Immutable, shared by threads.
 class SolidField {
   public:
     SolidField(const Isosurface& surface, std::span<const double> parameters);
@@ -47,9 +50,10 @@ class SolidField {
 };
 
 /// Whether a value of g counts as inside.
-inline bool countsInside(double g) { return !(g >= 0); }
+inline bool countsInside(double g) { return g < 0; }
 
-/// The evaluators of one thread for a SolidField, which must outlive it.
+/// The evaluators of one thread for a SolidField, which must outlive it. A single point without a value among
+/// others that have one, as 0/0 on an axis, takes the value beside it; others without one have +infinity.
 class SolidSampler {
   public:
     explicit SolidSampler(const SolidField& field);
@@ -68,12 +72,15 @@ class SolidSampler {
 
   private:
     void spread(std::span<const glm::dvec3> points);
+    /// Gives g to those of the points where it is NaN.
+    template <class Value>
+    void settleUndefined(std::span<const glm::dvec3> points, std::span<Value> values);
 
     const SolidField& field_;
     BoxPieces boxes_;
     PointEvaluator points_;
     GradientEvaluator gradients_;
-    std::vector<double> x_, y_, z_, values_;
+    std::vector<double> x_, y_, z_, values_, valuesBeside_;
 };
 
 /// Samplers that threads borrow. All methods may be called from any thread.

@@ -18,8 +18,8 @@ constexpr double probeReach = 0.02;
 /// A change of value is a jump if it is so many times what the slope explains.
 constexpr double jumpFactor = 8;
 
-/// Values as the search has them: what is undefined is inside, by any amount.
-double usable(double g) { return std::isnan(g) ? -1e30 : std::clamp(g, -1e30, 1e30); }
+/// Values as the search has them: without infinities.
+double usable(double g) { return std::clamp(g, -1e30, 1e30); }
 
 /// The search on one way; shares are those of the way.
 struct Search {

@@ -10,11 +10,12 @@ namespace isoscope {
 
 namespace {
 
+/// The sign that all values have, 0 where there is none.
 double signOf(const Interval& values, const RootSettings& settings) {
     // More than values of points are off by their roundings.
     const double margin =
         1e-15 * (std::abs(settings.threshold) + std::abs(values.low) + std::abs(values.high));
-    if (values.maybeUndefined || values.empty() || !std::isfinite(margin)) return 0;
+    if (values.empty() || !std::isfinite(margin)) return 0;
     const double above = settings.positivePolarity ? -1 : 1;
     if (values.low - margin > settings.threshold) return above;
     return values.high + margin < settings.threshold ? -above : 0;
@@ -47,7 +48,11 @@ void BoxPieces::enclose(std::size_t count) {
     work_ += count * base_->instructions.size();
     boxes_.evaluateChoices(lanes_, *base_, {levels_, simplifier_.levelNumbers()},
                            std::span(values).first(count), choices_);
-    for (std::size_t lane = 0; lane < count; ++lane) signs_[lane] = signOf(values[lane], settings_);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        const double sign = signOf(values[lane], settings_);
+        signs_[lane] = values[lane].maybeUndefined ? 0 : sign;
+        isOutside_[lane] = values[lane].empty() || sign > 0;
+    }
 }
 
 }  // namespace isoscope

@@ -33,6 +33,8 @@ class BoxPieces {
 
     /// The certain sign of the function all over an enclosed box, negative inside; 0 where there is none.
     double sign(std::size_t lane) const { return signs_[lane]; }
+    /// Whether certainly no point of an enclosed box is inside: each has a value outside, or none.
+    bool isOutside(std::size_t lane) const { return isOutside_[lane]; }
     /// What is decided in the enclosed boxes, choice by choice of the base.
     const std::vector<LaneChoices>& choices() const { return choices_; }
     /// The tape that holds in all of these enclosed boxes (a bit for each).
@@ -63,6 +65,7 @@ class BoxPieces {
     BoxLanes lanes_;
     std::vector<LaneChoices> choices_;
     std::array<double, batchLanes> signs_{};
+    std::array<bool, batchLanes> isOutside_{};
 };
 
 }  // namespace isoscope

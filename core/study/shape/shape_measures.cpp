@@ -88,9 +88,10 @@ class VolumeSearch {
         const double threshold = surface_.settings().threshold;
         const bool positive = surface_.settings().positivePolarity;
         for (std::size_t i = 0; i < rooms.size(); ++i) {
-            const bool below = !values[i].empty() && !values[i].maybeUndefined && values[i].high < threshold;
-            const bool above = !values[i].empty() && !values[i].maybeUndefined && values[i].low > threshold;
-            const bool isIn = positive ? above : below, isOut = positive ? below : above;
+            // Where there is no value there is no solid.
+            const bool below = values[i].high<threshold, above = values[i].low> threshold;
+            const bool isIn = (positive ? above : below) && !values[i].empty() && !values[i].maybeUndefined;
+            const bool isOut = (positive ? below : above) || values[i].empty();
             const bool whole = domain_.encloses(rooms[i].box);
             if (isOut || (isIn && whole)) open_ -= rooms[i].volume;
             if (isIn && whole) inside_ += rooms[i].volume;
