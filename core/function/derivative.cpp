@@ -30,6 +30,13 @@ Slope chosen(const Expression& sign, const Slope& negative, const Slope& otherwi
     return select(sign, negative.value_or(zero), otherwise.value_or(zero));
 }
 
+/// Of the lesser of u and v: v also where one is undefined, as minimum has it.
+Slope lesserSlope(const Expression& u, const Expression& v, const Slope& du, const Slope& dv) {
+    if (!du && !dv) return {};
+    const Expression zero = u.number(0), first = du.value_or(zero);
+    return select(u - v, first, first, dv.value_or(zero));
+}
+
 /// Of an operation of one operand `u`, whose slope is `d` and whose value is `v`.
 Slope unarySlope(Operation operation, const Expression& u, const Expression& v, const Slope& d) {
     if (!d) return {};
@@ -82,7 +89,7 @@ Slope binarySlope(Operation operation, const Expression& u, const Expression& v,
         case power: return powerSlope(u, v, whole, du, dv);
         case arcTangent2: return du || dv ? over(minus(times(du, v), times(dv, u)), sq(u) + sq(v)) : Slope();
         case remainder: return minus(du, times(dv, apply(truncate, u / v)));
-        case minimum: return chosen(v - u, dv, du);
+        case minimum: return lesserSlope(u, v, du, dv);
         case maximum: return chosen(u - v, dv, du);
         default: return {};  // div, comparisons, logic
     }

@@ -38,6 +38,21 @@ class DerivativeTextTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// min() takes its second value there, max() its first.
+    void anUndefinedSideHasNoPart() {
+        for (const char* function : {"min(sqrt(x), y)", "max(y, sqrt(x))"}) {
+            const GradientFunction gradient = gradientOf(isosurfaceOf(function)->settings().function);
+            PointEvaluator values(Tape::compile(gradient.function), {});
+            const double x = -0.5, y = 0.2, z = 0.1;
+            for (std::size_t k = 1; k < 4; ++k) {
+                double found = -1;
+                values.evaluate(std::span(&x, 1), std::span(&y, 1), std::span(&z, 1), std::span(&found, 1),
+                                k);
+                QCOMPARE(found, k == 2 ? 1.0 : 0.0);
+            }
+        }
+    }
+
     /// Beside forward differentiation by the evaluator, for each operation with a formula.
     void formulasAreTheSlopes_data() {
         QTest::addColumn<QString>("function");
