@@ -13,6 +13,9 @@ struct LineQuery {
     glm::dvec3 direction{0, 0, 1};
     double near = 0;
     double far = -1;
+    /// A line that begins on the surface may meet it there again: what it meets before this t is no root of
+    /// those that max_trace allows.
+    double countsFrom = 0;
 };
 
 /// What a root finder has found at a parameter of a line.

@@ -277,6 +277,25 @@ class SecondaryRaysTest : public QObject {
         QVERIFY(raysOf(cost, StageKind::reflection) <= 12LL * SecondaryRayQueue::rayLimit);
     }
 
+    /// Of an isosurface with max_trace 1 in a CSG: the ray within begins on the surface, and meets the other
+    /// side.
+    void whatMayBeMetOnceIsLeftOnItsOtherSide() {
+        const ParseResult parsed = parseScene(
+            "#version 3.7; #include \"functions.inc\" global_settings { assumed_gamma 1 } background { rgb 1 "
+            "} "
+            "camera { location <1, 2, -5> look_at 0 angle 30 } intersection { isosurface { function { "
+            "f_sphere(x, y, z, 1) } contained_by { box { -1.1, 1.1 } } max_gradient 2 } box { -0.9, 0.9 } "
+            "pigment { rgb 0.5 filter 1 } finish { ambient 0 diffuse 0 } }");
+        RenderRequest request = requestFor(parsed, 64, 48);
+        request.rootFinder = RootFinder::certified;
+        int within = 0;
+        for (const LinearColor& color : renderImage(request).pixels) {
+            within += color[0] == 0.25F ? 1 : 0;
+            QVERIFY2(color[0] == 0.25F || color[0] == 1, qPrintable(QString::number(color[0])));
+        }
+        QVERIFY(within > 900);
+    }
+
     void glassMirrorsAllLightBeyondTheAngle() {
         // The camera is in glass; the surface is turned by 60 degrees.
         const auto seen = [](const std::string& finish, const std::string& pigment, int angle) {

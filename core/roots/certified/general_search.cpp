@@ -94,6 +94,8 @@ void GeneralSearch::begin(const LineQuery& query, const RootSettings& settings, 
                           bool certain, const Lane& lane, std::uint32_t budget, bool samples) {
     samples_ = samples;
     sufficient_ = sufficient;
+    // With a finite one, the first root beyond it ends the search.
+    countsFrom_ = std::isfinite(sufficient) ? sufficient : query.countsFrom;
     certain_ = certain;
     gap_ = exhausted_ = blurred_ = false;
     openFrom_ = notOpen;
@@ -361,10 +363,7 @@ void GeneralSearch::settleFlip(int sign, double low, double high, LineFunction& 
 
 void GeneralSearch::record(const BracketedRoot& root) {
     roots_.push_back(root);
-    // Roots before what is asked for do not count: with a finite `sufficient` the first one beyond it ends
-    // the search.
-    const bool counts = std::isinf(sufficient_) || root.root.t >= sufficient_;
-    if (counts && (--rootsLeft_ == 0 || root.root.t >= sufficient_)) done_ = true;
+    if (root.root.t >= countsFrom_ && (--rootsLeft_ == 0 || root.root.t >= sufficient_)) done_ = true;
 }
 
 Verdict GeneralSearch::verdict() const {

@@ -132,6 +132,7 @@ class GeneralSearch {
 
     double near_ = 0, far_ = 0;
     double sufficient_ = 0;
+    double countsFrom_ = 0;  ///< roots before are none of those that may be found
     int rootsLeft_ = 1;
     bool entering_ = false;  ///< the line begins outside its container, and no sign is known yet
     bool closed_ = true;     ///< the container's wall is part of the surface

@@ -212,7 +212,8 @@ void Isosurface::search(std::span<const Ray> rays, double sufficient, std::span<
         const double near = std::max(inside.near, 0.0);
         const bool hidden = !known.empty() && known[i].found && known[i].hit.t < near;
         state.queries[i] =
-            hidden ? LineQuery() : LineQuery{rays[i].origin, rays[i].direction, near, inside.far};
+            hidden ? LineQuery()
+                   : LineQuery{rays[i].origin, rays[i].direction, near, inside.far, context.nearLimit};
     }
     LineRootFinder& rootFinder = finder(context);
     rootFinder.find(state.queries, {sufficient, context.missMemory && !context.shadowRay, context.stop},
