@@ -8,6 +8,7 @@
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/normal_parser.h"
 #include "core/language/tokens/block_words.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
 #include "core/texture/surface_needs.h"
 
@@ -16,6 +17,8 @@ namespace isoscope {
 namespace {
 
 constexpr int mostBlurSamples = 100000;
+/// The first version, in hundredths, in which POV-Ray wants the kind of a camera first.
+constexpr int kindFirst = 350;
 
 }  // namespace
 
@@ -27,9 +30,24 @@ constexpr std::array<const char*, 3> CameraParser::itemWords{
 Camera CameraParser::parse() {
     CameraStatement statement;
     if (!tokens_.expect("{", "to begin `camera`")) return statement.camera();
-    startFromDeclared(statement);
+    const bool declared = startFromDeclared(statement);
+    bool isFirst = true;
     while (!tokens_.peek().is("}")) {
-        if (parseItem(statement)) continue;
+        if (TransformParser(tokens_).parseModifier(statement.transform)) continue;
+        const Token word = tokens_.peek();
+        const bool isKind = parseKind(statement);
+        if (isKind || parseItem(statement)) {
+            if (declared)
+                warnOfRefusal(tokens_.context(), word.range,
+                              "takes nothing but transformations behind the name of a camera.",
+                              "declare the camera with this item");
+            else if (isKind && !isFirst && tokens_.context().languageVersion >= kindFirst)
+                warnOfRefusal(tokens_.context(), word.range,
+                              "wants the kind of a camera first, such as `" + std::string(word.text) + "`.",
+                              "move it to the beginning of the camera");
+            isFirst = isFirst && isKind;
+            continue;
+        }
         const Token token = tokens_.peek();
         if (token.kind == TokenKind::end) {
             tokens_.expect("}", "to close `camera`");
@@ -50,8 +68,7 @@ bool CameraParser::startFromDeclared(CameraStatement& statement) {
 }
 
 bool CameraParser::parseItem(CameraStatement& statement) {
-    if (parseVectorItem(statement) || parseKind(statement)) return true;
-    if (TransformParser(tokens_).parseModifier(statement.transform)) return true;
+    if (parseVectorItem(statement)) return true;
     const Token word = tokens_.peek();
     if (tokens_.accept("angle")) {
         const double degrees = ExpressionParser(tokens_).parseFloat();

@@ -9,6 +9,7 @@
 #include "core/language/objects/transform_parser.h"
 #include "core/language/scene_builder.h"
 #include "core/language/tokens/block_words.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
 #include "core/shapes/combined/placed_shape.h"
 
@@ -99,7 +100,7 @@ bool LightParser::parseStart(LightSource& light) {
 }
 
 bool LightParser::parseItem(LightSource& light) {
-    tokens_.accept(",");
+    if (tokens_.accept(",")) warnOfLastComma(tokens_);
     if (tokens_.accept("spotlight"))
         light.kind = LightKind::spotlight;
     else if (tokens_.accept("cylinder"))

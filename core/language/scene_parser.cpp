@@ -19,6 +19,7 @@
 #include "core/language/textures/pigment_parser.h"
 #include "core/language/textures/texture_parser.h"
 #include "core/language/tokens/block_words.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
 #include "core/language/tokens/words.h"
 
@@ -48,7 +49,9 @@ void SceneParser::parse() {
 
 void SceneParser::parseStatement() {
     const Token token = tokens_.peek();
-    if (tokens_.accept(";")) return;
+    if (tokens_.accept(";"))
+        return warnOfRefusal(tokens_.context(), token.range, "takes no `;` behind a statement.",
+                             "leave it out");
     const Diagnostics& told = tokens_.context().diagnostics;
     const auto before = static_cast<std::ptrdiff_t>(told.size());
     if (token.kind == TokenKind::word && parseKnown(token))

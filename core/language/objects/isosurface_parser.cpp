@@ -8,6 +8,7 @@
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/functions/function_parser.h"
 #include "core/language/tokens/block_words.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
@@ -29,15 +30,20 @@ constexpr std::array<NumberItem, 3> numberItems{
 }  // namespace
 
 bool IsosurfaceParser::parseItem() {
-    if (tokens_.accept("function")) {
+    const Token word = tokens_.peek();
+    if (tokens_.accept("function"))
         parseFunction();
-        lastItem_ = tokens_.lastRange();
-        return true;
-    }
-    const bool understood = parseOtherItem();
-    hasItems_ |= understood;
-    if (understood) lastItem_ = tokens_.lastRange();
-    return understood;
+    else if (parseOtherItem())
+        hasItems_ = true;
+    else
+        return false;
+    if (hasModifiers_ && hasFunction_)
+        warnOfRefusal(tokens_.context(), word.range,
+                      "wants `" + std::string(word.text) +
+                          "` before textures, transformations and other modifiers of an `isosurface`.",
+                      "move it in front of them");
+    lastItem_ = tokens_.lastRange();
+    return true;
 }
 
 bool IsosurfaceParser::parseOtherItem() {
@@ -83,7 +89,13 @@ bool IsosurfaceParser::parseNumberItem() {
 void IsosurfaceParser::parseFunction() {
     FunctionParser functions(tokens_);
     const SourceRange word = tokens_.lastRange();
-    if (hasItems_ && !hasFunction_)
+    if (tokens_.peek().is("("))
+        warnOfRefusal(tokens_.context(), tokens_.peek().range,
+                      "takes no names of arguments here: they are x, y and z.", "leave them out");
+    if (hasFunction_)
+        warnOfRefusal(tokens_.context(), word, "takes one `function` in an `isosurface`.",
+                      "leave one of them out");
+    if ((hasItems_ || hasModifiers_) && !hasFunction_)
         tokens_.context().warning("function-not-first", word,
                                   "POV-Ray wants `function` first in an `isosurface`.",
                                   "move it in front of the other items");

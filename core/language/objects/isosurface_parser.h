@@ -21,6 +21,8 @@ class IsosurfaceParser {
     /// the reason is reported: `start` is the keyword.
     void finish(ObjectDescription& description, const SourceRange& start);
 
+    /// A modifier of objects has been read, behind which POV-Ray takes no more items.
+    void noteModifier() { hasModifiers_ = true; }
     /// Something in the statement was not understood, perhaps its function: that it is missing is not blamed.
     void excuse() { excused_ = true; }
 
@@ -46,6 +48,7 @@ class IsosurfaceParser {
     std::array<bool, 3> given_{};  ///< which number items the text has
     bool hasFunction_ = false;
     bool hasItems_ = false;
+    bool hasModifiers_ = false;
     bool excused_ = false;
 };
 

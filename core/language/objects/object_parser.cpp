@@ -15,6 +15,7 @@
 #include "core/language/textures/interior_parser.h"
 #include "core/language/textures/texture_parser.h"
 #include "core/language/tokens/nesting_guard.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
 #include "core/language/tokens/words.h"
 #include "core/texture/surface_needs.h"
@@ -32,6 +33,25 @@ std::optional<CsgOperation> csgOperation(std::string_view word) {
     return std::nullopt;
 }
 
+/// Flags that change nothing here, and the statements in which POV-Ray takes them.
+struct FlagOfSome {
+    std::string_view word;
+    std::array<std::string_view, 12> keywords;
+};
+constexpr std::array<FlagOfSome, 3> flagsOfSome{
+    {{"sturm",
+      {"object", "blob", "torus", "lathe", "prism", "sor", "cubic", "quartic", "poly", "polynomial"}},
+     {"hierarchy", {"object", "blob", "mesh", "mesh2", "height_field"}},
+     {"split_union", {"object", "union", "merge", "light_group"}}}};
+
+bool isWordOfSome(std::string_view word) {
+    return std::ranges::find(flagsOfSome, word, &FlagOfSome::word) != flagsOfSome.end();
+}
+bool isWordOf(std::string_view word, std::string_view keyword) {
+    const auto* flag = std::ranges::find(flagsOfSome, word, &FlagOfSome::word);
+    return std::ranges::find(flag->keywords, keyword) != flag->keywords.end();
+}
+
 }  // namespace
 
 /// An object statement that is being read.
@@ -46,6 +66,7 @@ struct ObjectParser::Statement {
     bool excused = false;  ///< its shape was not understood: items that follow may be parts of it
     bool firstPartMissing = false;
     bool onSurface = false;  ///< `uv_mapping` has been said
+    bool modified = false;   ///< a modifier has been read
 };
 
 bool ObjectParser::isObject(std::string_view word) {
@@ -228,10 +249,19 @@ void ObjectParser::take(Statement& statement, const ObjectPointer& object) {
 bool ObjectParser::parseModifier(Statement& statement) {
     if (statement.isosurface && statement.isosurface->parseItem()) return true;
     if (parseTransform(statement) || parseTexture(statement) || parseInterior(statement) ||
-        parseFlag(statement) || parseWrapping(statement) || parseIgnored(statement))
+        parseFlag(statement) || parseWrapping(statement) || parseIgnored(statement)) {
+        statement.modified = true;
+        if (statement.isosurface) statement.isosurface->noteModifier();
         return true;
-    // In CSG objects may follow modifiers.
-    return csgOperation(statement.keyword.text) && parsePart(statement);
+    }
+    const Token word = tokens_.peek();
+    if (!csgOperation(statement.keyword.text) || !parsePart(statement)) return false;
+    if (statement.modified)
+        warnOfRefusal(tokens_.context(), word.range,
+                      "wants the objects of a `" + std::string(statement.keyword.text) +
+                          "` before its textures, transformations and other modifiers.",
+                      "move the object in front of them");
+    return true;
 }
 
 bool ObjectParser::parseTransform(Statement& statement) {
@@ -299,10 +329,17 @@ bool ObjectParser::parseFlag(Statement& statement) {
         description.hollow = parseOn();
     else if (tokens_.accept("double_illuminate"))
         description.doubleIlluminate = parseOn();
-    else if (tokens_.accept("no_radiosity") || tokens_.accept("hierarchy") || tokens_.accept("sturm") ||
-             tokens_.accept("split_union"))
+    else if (tokens_.accept("no_radiosity"))
         parseOn();
-    else if (tokens_.accept("global_lights"))
+    else if (const Token word = tokens_.peek(); isWordOfSome(word.text)) {
+        tokens_.next();
+        parseOn();
+        if (!isWordOf(word.text, statement.keyword.text))
+            warnOfRefusal(tokens_.context(), word.range,
+                          "does not take `" + std::string(word.text) + "` in `" +
+                              std::string(statement.keyword.text) + "`.",
+                          "leave it out");
+    } else if (tokens_.accept("global_lights"))
         description.globalLights = parseOn();
     else if (tokens_.accept("uv_mapping")) {
         statement.onSurface = parseOn();
@@ -385,6 +422,9 @@ ObjectPointer ObjectParser::finish(Statement& statement) {
                           "and y in place of u "
                           "and v.");
     }
+    if (description.interiorTexture && !description.material && !statement.excused)
+        warnOfRefusal(tokens_.context(), statement.keyword.range,
+                      "wants a texture beside an `interior_texture`.", "give the object a `texture`");
     if (description.interiorTexture)
         for (const std::string& sentence : leftOutSentences(*description.interiorTexture))
             reportLeftOut(tokens_.context(), description.range, sentence);

@@ -6,6 +6,7 @@
 
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/expressions/parameter_collector.h"
+#include "core/language/tokens/povray_refusals.h"
 
 namespace isoscope {
 
@@ -16,8 +17,15 @@ double ShapeReader::number(const std::string& name) {
     ParameterCollector(tokens_.context()).addShapeNumbers(keyword(), name, range_);
     tokens_.charge(TokenStream::stepsPerNumber, range_);
     finite_ &= std::isfinite(value);
-    tokens_.accept(",");
+    parseComma();
     return value;
+}
+
+void ShapeReader::parseComma() {
+    if (!tokens_.accept(",") || lastCommas_) return;
+    const Token next = tokens_.peek();
+    const bool ends = next.is("}") || next.kind == TokenKind::word;
+    if (ends && !ExpressionParser(tokens_).atExpression()) warnOfLastComma(tokens_);
 }
 
 glm::dvec2 ShapeReader::pair(const std::string& name) {
@@ -59,7 +67,7 @@ std::array<double, 5> ShapeReader::components(const std::string& name, int count
     ParameterCollector(tokens_.context()).addShapeNumbers(keyword(), name, range_);
     tokens_.charge(TokenStream::stepsPerNumber, range_);
     for (int k = 0; k < count; ++k) finite_ &= std::isfinite(result[static_cast<std::size_t>(k)]);
-    tokens_.accept(",");
+    parseComma();
     return result;
 }
 

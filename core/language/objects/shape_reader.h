@@ -26,6 +26,8 @@ class ShapeReader {
     glm::dvec4 quadruple(const std::string& name);
     /// A whole number; one outside least to most is an error, and the nearer end is the answer.
     int count(const std::string& name, int least, int most);
+    /// A comma may stand behind the last of its numbers, in POV-Ray too; it is warned of in other shapes.
+    void allowLastCommas() { lastCommas_ = true; }
     /// Whether the word comes next; it is taken, with the `on` or `off` behind it.
     bool flag(const char* word, bool& value);
     /// Takes the `{` of a part of the shape, as TokenStream::expect() does. False without one: then no shape
@@ -55,6 +57,7 @@ class ShapeReader {
     const SourceRange& range() const { return range_; }
 
   private:
+    void parseComma();
     /// A vector of `count` components; a float stands for all of them.
     std::array<double, 5> components(const std::string& name, int count);
 
@@ -64,6 +67,7 @@ class ShapeReader {
     SourceRange range_;
     bool failed_ = false;
     bool finite_ = true;
+    bool lastCommas_ = false;
 };
 
 }  // namespace isoscope

@@ -5,6 +5,7 @@
 #include "core/language/objects/shape_reader.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/texture_parser.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/shapes/solids/blob.h"
 
 namespace isoscope {
@@ -17,7 +18,10 @@ constexpr std::size_t partLimit = 20'000;
 /// The items of `blob { ... }`.
 class BlobReader {
   public:
-    explicit BlobReader(ShapeReader& reader) : reader_(reader), tokens_(reader.tokens()) {}
+    explicit BlobReader(ShapeReader& reader) : reader_(reader), tokens_(reader.tokens()) {
+        // Behind a radius, in front of the word `strength`.
+        reader_.allowLastCommas();
+    }
 
     std::vector<BlobComponent> components;
     double threshold = 1;
@@ -40,6 +44,7 @@ class BlobReader {
   private:
     void parseThreshold() {
         threshold = reader_.number("threshold");
+        warnOfLastComma(tokens_);
         if (!(threshold > 0))
             reader_.fail(reader_.range(), "The threshold of a blob must be greater than 0.");
     }
@@ -65,6 +70,7 @@ class BlobReader {
         component.radius = parseRadius();
         tokens_.accept("strength");
         component.strength = parseStrength();
+        warnOfLastComma(tokens_);
         while (parseModifier(component)) continue;
         if (!tokens_.accept("}")) {
             reader_.fail(tokens_.peek().range,

@@ -173,6 +173,7 @@ class IndexedMeshReader : public MeshReader {
     }
 
     void parsePlaces() {
+        reader_.allowLastCommas();
         int missing = parseCount("uv_vectors");
         for (; missing > 0 && ExpressionParser(tokens_).atExpression(); --missing)
             places_.push_back(reader_.pair("uv"));

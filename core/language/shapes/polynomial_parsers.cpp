@@ -120,6 +120,7 @@ bool parseTerm(ShapeReader& reader, int order, std::vector<double>& coefficients
 
 /// POV-Ray 3.7 reads it too: terms that are not stated are 0, of one that is stated twice the last counts.
 ShapePointer parsePolynomial(ShapeReader& reader) {
+    reader.allowLastCommas();
     const int order = reader.count("order", 2, Poly::orderLimit);
     std::vector<double> coefficients(Poly::termCount(order), 0.0);
     while (!reader.failed() && reader.tokens().accept("xyz"))

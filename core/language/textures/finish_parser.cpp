@@ -6,6 +6,7 @@
 
 #include "core/language/expressions/declared_value.h"
 #include "core/language/expressions/expression_parser.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
@@ -17,7 +18,13 @@ constexpr std::array<const char*, 3> FinishParser::itemWords{
 Finish FinishParser::parse(const Finish& start) {
     finish_ = start;
     if (!tokens_.expect("{", "to begin `finish`")) return finish_;
-    while (!tokens_.peek().is("}")) {
+    for (bool isFirst = true; !tokens_.peek().is("}"); isFirst = false) {
+        const Token word = tokens_.peek();
+        if (const std::optional<Finish> declared = takeDeclared<Finish>(tokens_)) {
+            finish_ = *declared;
+            if (!isFirst) warnOfLateName(tokens_.context(), word, "finish");
+            continue;
+        }
         if (parseItem()) continue;
         const Token token = tokens_.peek();
         if (token.kind == TokenKind::end) {
@@ -31,10 +38,6 @@ Finish FinishParser::parse(const Finish& start) {
 }
 
 bool FinishParser::parseItem() {
-    if (const std::optional<Finish> declared = takeDeclared<Finish>(tokens_)) {
-        finish_ = *declared;
-        return true;
-    }
     if (tokens_.accept("ambient"))
         finish_.ambient = parseAmount();
     else if (tokens_.accept("emission"))
@@ -151,7 +154,7 @@ bool FinishParser::parseLeftOut() {
         if (tokens_.accept("{")) tokens_.skipBlock();
         return true;
     }
-    if (word.is("use_alpha") || word.is("ior")) {
+    if (word.is("use_alpha") || word.is("ior") || word.is("refraction")) {
         tokens_.next();
         leaveOut(word.text);
         if (ExpressionParser(tokens_).atExpression()) ExpressionParser(tokens_).parseFloat();

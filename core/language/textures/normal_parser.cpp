@@ -79,11 +79,19 @@ void NormalParser::parseBody(std::string_view end) {
 
 bool NormalParser::parseItem() {
     if (tokens_.peek().kind == TokenKind::end) return false;
+    const Token word = tokens_.peek();
+    const auto noted = [&](ItemOrder::Item item) {
+        order_.note(tokens_.context(), word, item);
+        return true;
+    };
     if (const std::optional<NormalPointer> declared = takeDeclared<NormalPointer>(tokens_)) {
         if (*declared) start(**declared);
-        return true;
+        return noted(ItemOrder::Item::name);
     }
-    return parsePattern() || parseSetting() || parseListItem() || parseMaps() || reader_.parseModifier();
+    if (parsePattern()) return noted(ItemOrder::Item::start);
+    if (parseListItem()) return noted(ItemOrder::Item::list);
+    if (!parseSetting() && !parseMaps() && !reader_.parseModifier()) return false;
+    return noted(word.is("uv_mapping") ? ItemOrder::Item::mapping : ItemOrder::Item::other);
 }
 
 bool NormalParser::parsePattern() {
@@ -118,7 +126,7 @@ bool NormalParser::parsePattern() {
     ExpressionParser expressions(tokens_);
     if (tokens_.accept(",") || expressions.atExpression()) {
         normal_->amount = expressions.parseFloat();
-        tokens_.accept(",");
+        if (tokens_.accept(",")) warnOfLastComma(tokens_);
     }
     reader_.parseInterpolation();
     return true;

@@ -8,6 +8,7 @@
 
 #include "core/language/scene_draft.h"
 #include "core/language/textures/pattern_reader.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/scene/surface_normal.h"
 
 namespace isoscope {
@@ -51,6 +52,7 @@ class NormalParser {
     NormalPointer defaults_;
     std::optional<SurfaceNormal> normal_;
     bool ownEntries_ = false;
+    ItemOrder order_{"normal"};
     std::vector<std::string> leftOut_;
 };
 

@@ -138,7 +138,17 @@ void PigmentParser::parseBody(std::string_view end) {
 
 bool PigmentParser::parseItem() {
     if (tokens_.peek().kind == TokenKind::end) return false;
-    return startFromDeclared() || parsePattern() || parseColorItem() || parseListItem() || parseOther();
+    const Token word = tokens_.peek();
+    const auto noted = [&](ItemOrder::Item item) {
+        order_.note(tokens_.context(), word, item);
+        return true;
+    };
+    if (startFromDeclared()) return noted(ItemOrder::Item::name);
+    if (parsePattern() || parseColor()) return noted(ItemOrder::Item::start);
+    if (parseListItem()) return noted(ItemOrder::Item::list);
+    if (parseColorSetting()) return noted(ItemOrder::Item::other);
+    if (!parseOther()) return false;
+    return noted(word.is("uv_mapping") ? ItemOrder::Item::mapping : ItemOrder::Item::other);
 }
 
 bool PigmentParser::startFromDeclared() {
@@ -172,8 +182,8 @@ bool PigmentParser::parsePattern() {
         leftOut_ = "pattern";
     }
     leftOut_ = failed_ ? leftOut_ : std::string();
-    tokens_.accept(",");
     const bool opensList = !average && reader_.opensList();
+    if (tokens_.accept(",") && !opensList) warnOfLastComma(tokens_);
     const MapKind kind = average                                         ? MapKind::average
                          : isDiscrete(reader_.pattern.kind) || opensList ? MapKind::list
                                                                          : MapKind::blend;
@@ -214,7 +224,7 @@ bool PigmentParser::atColor() {
            (array && *array && std::any_of((*array)->elements.begin(), (*array)->elements.end(), isVector));
 }
 
-bool PigmentParser::parseColorItem() {
+bool PigmentParser::parseColorSetting() {
     if (tokens_.accept("quick_color") || tokens_.accept("quick_colour")) {
         ExpressionParser(tokens_).parseColor();
         return true;
@@ -226,6 +236,10 @@ bool PigmentParser::parseColorItem() {
             ExpressionParser(tokens_).parseFloat();
         return true;
     }
+    return false;
+}
+
+bool PigmentParser::parseColor() {
     if (isList() || !atColor()) return false;
     mapped_.reset();
     leftOut_.clear();
@@ -266,7 +280,7 @@ bool PigmentParser::parseOther() {
     }
     if (tokens_.accept("uv_mapping")) {
         ExpressionParser expressions(tokens_);
-        onSurface_ = !expressions.atExpression() || expressions.parseBool();
+        onSurface_ = atColor() || !expressions.atExpression() || expressions.parseBool();
         return true;
     }
     return reader_.parseModifier();
@@ -298,6 +312,9 @@ bool PigmentParser::parseMapBlock(bool colors) {
         tokens_.skipBlock();
         return mapFailed();
     }
+    if (mapped_->entries.empty())
+        warnOfRefusal(tokens_.context(), tokens_.lastRange(), "wants an entry in a map.",
+                      "write `[0 rgb 0]` into it");
     return true;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/language/scene_draft.h"
 #include "core/language/textures/pattern_reader.h"
+#include "core/language/tokens/povray_refusals.h"
 
 namespace isoscope {
 
@@ -34,7 +35,8 @@ class PigmentParser {
     bool parseItem();
     bool startFromDeclared();
     bool parsePattern();
-    bool parseColorItem();
+    bool parseColorSetting();
+    bool parseColor();
     bool parseOpenList();
     bool parseListItem();
     bool parseOther();
@@ -51,9 +53,10 @@ class PigmentParser {
     SolidPigment solid_;
     std::optional<MappedPigment> mapped_;
     bool ownEntries_ = false;  ///< the entries are of this block, not of the pigment that it began from
-    std::string leftOut_;      ///< the pattern that is not simulated
-    bool onSurface_ = false;   ///< `uv_mapping`
-    bool fixed_ = false;       ///< begun from a declared pigment with `uv_mapping`
+    ItemOrder order_{"pigment"};
+    std::string leftOut_;     ///< the pattern that is not simulated
+    bool onSurface_ = false;  ///< `uv_mapping`
+    bool fixed_ = false;      ///< begun from a declared pigment with `uv_mapping`
     bool failed_ = false;
 };
 

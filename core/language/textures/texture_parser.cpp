@@ -12,6 +12,7 @@
 #include "core/language/textures/pigment_parser.h"
 #include "core/language/textures/warp_parser.h"
 #include "core/language/tokens/nesting_guard.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
 #include "core/texture/image_table.h"
 #include "core/texture/surface_needs.h"
@@ -172,7 +173,12 @@ bool TextureParser::parsePart(Material& material) {
 void TextureParser::parseBody(Material& material, std::string_view end, std::string_view keyword) {
     const NestingGuard guard(tokens_);
     if (!guard.ok()) return tokens_.skipBlock();
-    while (!tokens_.peek().is(end)) {
+    for (bool isFirst = true; !tokens_.peek().is(end); isFirst = false) {
+        const Token word = tokens_.peek();
+        if (startFromDeclared(material)) {
+            if (!isFirst) warnOfLateName(tokens_.context(), word, "texture");
+            continue;
+        }
         if (parseTextureItem(material)) continue;
         const Token token = tokens_.peek();
         if (token.kind == TokenKind::end) {
@@ -196,7 +202,7 @@ void TextureParser::applyFlags(Material& material) {
 
 bool TextureParser::parseTextureItem(Material& material) {
     if (tokens_.peek().kind == TokenKind::end) return false;
-    if (startFromDeclared(material) || parsePart(material)) return true;
+    if (parsePart(material)) return true;
     if (parseMapItem(material)) return true;
     Transform transform;
     if (!mapped_ && TransformParser(tokens_).parseModifier(transform)) {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/tokens/povray_refusals.h"
+
+#include <algorithm>
+
+namespace isoscope {
+
+void warnOfRefusal(ParseContext& context, const SourceRange& range, const std::string& wants,
+                   const std::string& hint) {
+    context.warning("povray-refuses", range, "POV-Ray " + wants, hint);
+}
+
+void warnOfLastComma(TokenStream& tokens) {
+    if (tokens.context().sources.slice(tokens.lastRange()) == ",")
+        warnOfRefusal(tokens.context(), tokens.lastRange(), "takes no comma here.", "leave it out");
+}
+
+void warnOfLateName(ParseContext& context, const Token& name, const std::string& block) {
+    warnOfRefusal(context, name.range,
+                  "wants the name of a declared " + block + ", `" + std::string(name.text) + "`, first.",
+                  "move it to the beginning of the `" + block + "`");
+}
+
+void ItemOrder::note(ParseContext& context, const Token& word, Item item) {
+    const bool repeats = item == last_ && (item == Item::name || item == Item::start);
+    if (repeats)
+        warnOfRefusal(context, word.range, std::string("takes one beginning of a `") + block_ + "`.",
+                      "leave one of the names, colours or patterns out");
+    else if (item < last_ && item == Item::name)
+        warnOfLateName(context, word, block_);
+    else if (item < last_)
+        warnOfRefusal(context, word.range,
+                      "wants `" + std::string(word.text) + "` before other items of a `" + block_ + "`.",
+                      "move it in front of them");
+    last_ = std::max(last_, item);
+}
+
+}  // namespace isoscope

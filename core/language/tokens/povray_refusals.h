@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/language/parse_context.h"
+#include "core/language/tokens/token.h"
+#include "core/language/tokens/token_stream.h"
+
+namespace isoscope {
+
+/// Warns of text that is read here and that POV-Ray 3.7 refuses: `wants` is what it wants instead, behind
+/// "POV-Ray", and `hint` what to do. Each was tried with POV-Ray.
+void warnOfRefusal(ParseContext& context, const SourceRange& range, const std::string& wants,
+                   const std::string& hint);
+
+/// Warns of the token taken last, if that is a comma with no further number behind it.
+void warnOfLastComma(TokenStream& tokens);
+
+/// Warns of the name of a declared `block`, "texture", that does not stand first in one.
+void warnOfLateName(ParseContext& context, const Token& name, const std::string& block);
+
+/// The order in which POV-Ray wants the items of a `pigment` or `normal`: `uv_mapping`, a declared one, the
+/// colour or pattern with its list, then all others.
+class ItemOrder {
+  public:
+    enum class Item : std::uint8_t { mapping, name, start, list, other };
+
+    explicit ItemOrder(const char* block) : block_(block) {}
+    /// An item has been read that began with `word`; warns where another one should stand behind it.
+    void note(ParseContext& context, const Token& word, Item item);
+
+  private:
+    const char* block_;
+    Item last_ = Item::mapping;
+};
+
+}  // namespace isoscope

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/tokens/povray_refusals.h"
+
+#include <QFile>
+#include <QtTest>
+
+#include "core/language/parse.h"
+#include "tests/support/problems.h"
+
+using namespace isoscope;
+
+namespace {
+
+const std::string declarations = R"(#version 3.7;
+global_settings { assumed_gamma 1 }
+#declare P0 = pigment { gradient x }
+#declare T0 = texture { pigment { rgb 1 } }
+#declare N0 = normal { bumps }
+#declare F0 = finish { phong 1 }
+#declare C0 = camera { location -z }
+#declare L0 = light_source { 0, 1 }
+#declare ISO = isosurface { function { x } }
+#declare SPH = sphere { 0, 1 }
+)";
+
+bool isOf(const Diagnostic& diagnostic, Severity severity) { return diagnostic.severity == severity; }
+
+}  // namespace
+
+class PovrayRefusalsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    /// POV-Ray's answers, row by row: what it refuses is told of, and what it takes is not said to be
+    /// refused.
+    void whatPovrayRefusesIsTold_data() {
+        QTest::addColumn<bool>("refused");
+        QTest::addColumn<QString>("text");
+        QFile table(ISOSCOPE_TEST_DATA "/language/povray_refusals.txt");
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        while (!table.atEnd()) {
+            const QString line = QString::fromUtf8(table.readLine()).trimmed();
+            if (line.startsWith('#') || !line.contains(' ')) continue;
+            const QString text = line.section(' ', 1);
+            QTest::newRow(qPrintable(text)) << line.startsWith("refused") << text;
+        }
+    }
+
+    void whatPovrayRefusesIsTold() {
+        QFETCH(bool, refused);
+        QFETCH(QString, text);
+        const ParseResult parsed = parseScene(declarations + text.toStdString() + "\n");
+        bool told = false, blamed = false;
+        for (const Diagnostic& diagnostic : parsed.diagnostics) {
+            const bool isError = isOf(diagnostic, Severity::error);
+            told |= isError || isOf(diagnostic, Severity::warning);
+            blamed |= isError || diagnostic.id == "povray-refuses";
+        }
+        QVERIFY2(refused ? told : !blamed, test::problems(parsed).c_str());
+    }
+
+    void theWarningStandsAtTheWordAndSaysWhatToDo() {
+        const std::string text = "isosurface { function { x } translate x max_gradient 2 pigment { rgb 1 } }";
+        const ParseResult parsed = parseScene(text);
+        const auto found = std::ranges::find(parsed.diagnostics, "povray-refuses", &Diagnostic::id);
+        QVERIFY(found != parsed.diagnostics.end());
+        QCOMPARE(found->message,
+                 std::string("POV-Ray wants `max_gradient` before textures, transformations and other "
+                             "modifiers of an `isosurface`."));
+        QCOMPARE(found->hint, std::string("move it in front of them"));
+        QCOMPARE(found->range.begin, text.find("max_gradient"));
+        // It counts all the same.
+        QCOMPARE(parsed.scene->isosurfaces.at(0).shape->settings().maxGradient, 2.0);
+    }
+
+    /// Before version 3.5 it was written anywhere.
+    void theKindOfACameraStandsAnywhereInOldScenes() {
+        const std::string camera = "camera { location -z*5 orthographic look_at 0 } sphere { 0, 1 }";
+        const auto refusals = [](const ParseResult& parsed) {
+            return std::ranges::count(parsed.diagnostics, "povray-refuses", &Diagnostic::id);
+        };
+        QCOMPARE(refusals(parseScene("#version 3.1; " + camera)), 0);
+        QCOMPARE(refusals(parseScene("#version 3.7; " + camera)), 1);
+    }
+};
+
+QTEST_APPLESS_MAIN(PovrayRefusalsTest)
+#include "povray_refusals_test.moc"
