@@ -368,6 +368,19 @@ class LimitsTest : public QObject {
         QVERIFY(endsAfter(0.2));
     }
 
+    void normalsAreNestedToALimit() {
+        const auto nested = [](int depth) {
+            std::string normal = "bumps 0.1";
+            for (int i = 1; i < depth; ++i) normal = "checker normal { " + normal + " } normal { dents }";
+            return parseScene("sphere { 0, 1 pigment { rgb 1 } normal { " + normal + " } }");
+        };
+        const auto tooLarge = [](const ParseResult& parsed) {
+            return std::ranges::count(parsed.diagnostics, "too-large", &Diagnostic::id) > 0;
+        };
+        QVERIFY(!tooLarge(nested(MappedPigment::depthLimit)));
+        QVERIFY(tooLarge(nested(MappedPigment::depthLimit + 1)));
+    }
+
     void survivesRandomBytes() {
         const std::uint64_t seed = 20250608;
         qInfo("seed %llu", static_cast<unsigned long long>(seed));

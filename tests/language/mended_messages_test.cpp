@@ -86,6 +86,40 @@ class MendedMessagesTest : public QObject {
         QVERIFY2(found == std::max<qsizetype>(expected.size(), 1), problems(parsed).c_str());
     }
 
+    /// What follows the word is passed by, however it looks, and what follows that is read.
+    void aMistakeInsideHasNoOthersBehindIt() {
+        for (const char* text :
+             {"#declare A = 1; #declare A[0] = 5; sphere { 0, A pigment { rgb 1 } }",
+              "sphere { 0, 1 pigment { rgb 1 } finish { reflection { 0.2 glossy 3 } diffuse 1 } }"}) {
+            const ParseResult parsed = parseScene(text);
+            QCOMPARE(complaints(parsed).size(), std::size_t(1));
+            QCOMPARE(parsed.scene->objects.size(), std::size_t(1));
+        }
+    }
+
+    /// The words that name a file may be computed: all of them are marked.
+    void theWholeIncludeIsMarked() {
+        const std::string text = "#include concat(\"no\", \"where.inc\")\nsphere { 0, 1 pigment { rgb 1 } }";
+        const ParseResult parsed = parseScene(text);
+        QCOMPARE(complaints(parsed).size(), std::size_t(1));
+        const auto error = std::ranges::find(parsed.diagnostics, Severity::error, &Diagnostic::severity);
+        QVERIFY(error != parsed.diagnostics.end());
+        QCOMPARE(std::string(parsed.sources->slice(error->range)), text.substr(0, text.find('\n')));
+    }
+
+    /// A message is cut where it is endless, but not within a character.
+    void endlessMessagesAreCutBetweenCharacters() {
+        for (int before = 0; before < 3; ++before) {
+            std::string said(static_cast<std::size_t>(before), 'a');
+            for (int i = 0; i < 2000; ++i) said += "\u20ac";
+            const ParseResult parsed = parseScene("#error \"" + said + "\"");
+            QVERIFY(!parsed.diagnostics.empty());
+            const std::string& message = parsed.diagnostics.front().message;
+            QVERIFY(message.size() < 1000 && message.find("\u20ac") != std::string::npos);
+            QCOMPARE(QString::fromStdString(message).toStdString(), message);
+        }
+    }
+
     void aNameOfAMissingIncludeIsNamedWithIt() {
         const std::string text = "#version 3.7;\nsphere { 0, 1 pigment { color Red } }\n";
         QCOMPARE(QString::fromStdString(mended(text, "unknown-name")),

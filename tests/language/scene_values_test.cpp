@@ -217,8 +217,8 @@ class SceneValuesTest : public QObject {
         row("sphere { 0, 1 no_shadow off no_image off no_reflection off hollow on }",
             "hollow yes, sphere in line 1");
         row("sphere { 0, 1 double_illuminate }", "both sides yes, sphere in line 1");
-        row("sphere { 0, 1 no_radiosity on hierarchy off split_union off sturm no_shadow }",
-            "shadow no, sphere in line 1");
+        row("object { torus { 1, 0.2 } no_radiosity on hierarchy off split_union off sturm no_shadow }",
+            "shadow no, torus in line 1");
         row("sphere { 0, 1 pigment { rgbt 0.5 } }", "transparent yes, sphere in line 1");
         row("sphere { 0, 1 pigment { rgbt 0.5 } interior { ior 1.5 } }",
             "transparent yes, bends yes, sphere in line 1");
@@ -262,8 +262,8 @@ class SceneValuesTest : public QObject {
         row("camera { location x normal { bumps 0.1 } }", "at 1 0 0, normal { bumps 0.1 }");
         row("camera { location x translate y scale 2 }",
             "at 2 2 0, along 0 0 2, right 2.66 0 0, up 0 2 0, sky 0 2 0, focus 0 2 0");
-        row("#declare C = camera { fisheye location x angle 100 }\ncamera { C location y }",
-            "kind 2, at 0 1 0, angle 100, vertical 50");
+        row("#declare C = camera { fisheye location x angle 100 }\ncamera { C translate y }",
+            "kind 2, at 1 1 0, angle 100, vertical 50, focus 0 1 0");
         row("camera { location x bokeh { texture 1 } angle 60 }",
             "at 1 0 0, along 0 0 1.151813787033, vertical 30");
         row("camera { location x h_angle 3, 4 sky z }", "at 1 0 0, sky 0 0 1");

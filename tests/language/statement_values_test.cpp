@@ -263,7 +263,7 @@ class StatementValuesTest : public QObject {
         row("rgbf <0.1, 0.2, 0.3, 0.4>", "0.1 0.2 0.3 filter 0.4");
         row("rgbt <0.1, 0.2, 0.3, 0.4>", "0.1 0.2 0.3 transmit 0.4");
         row("red 0.5 green 0.25 filter 0.125", "0.5 0.25 0 filter 0.125");
-        row("marble uv_mapping", "marble uv");
+        row("uv_mapping marble", "marble uv");
         row("uv_mapping radial", "radial uv");
         row("granite quick_color rgb 1", "granite");
         row("object { sphere { 0, 1 } color rgb 1 color rgb 0.5 }",
@@ -345,7 +345,7 @@ class StatementValuesTest : public QObject {
             "kind 8 of brick, mortar 0.25, list, [0 kind 1 of kind 4, amount 0.1], [1 kind 2 of kind 8, "
             "amount 0.2]");
         row("uv_mapping granite 0.3", "kind 0 of granite, amount 0.3, uv yes");
-        row("granite 0.3 uv_mapping", "kind 0 of granite, amount 0.3, uv yes");
+        row("uv_mapping granite 0.3", "kind 0 of granite, amount 0.3, uv yes");
         row("function { x } 0.5", "kind 0 of function");
         row("crackle 0.3 form <0, 1, 0> metric 3", "kind 0 of crackle, form 0 1 0, metric 3, amount 0.3");
     }
@@ -403,7 +403,7 @@ class StatementValuesTest : public QObject {
         row("light_source { 0, 1 fade_distance 3 fade_power 2 }",
             "kind 0, color 1 1 1 filter 1 transmit 1, fade_distance 3, fade_power 2, line 1");
         row("light_source { 0, 1 color rgb 0.25 }", "kind 0, color 0.25 0.25 0.25, line 1");
-        row("light_source { 0, 1, parallel, shadowless }",
+        row("light_source { 0, 1 parallel shadowless }",
             "kind 3, color 1 1 1 filter 1 transmit 1, shadowless yes, line 1");
         row("light_source { 0, 1 area_light 2*x, 3*y, 4, 5 }",
             "kind 0, color 1 1 1 filter 1 transmit 1, area 2 0 0, 0 3 0, 4 5, line 1");

@@ -34,6 +34,22 @@ class WrittenFilesTest : public QObject {
         QCOMPARE(contentOf(folder.filePath("a.txt")), QByteArray("1 and <1,2,3> "));
     }
 
+    /// What is written over takes no room any more: 256 MB in turn, of 128 that may be kept.
+    void filesThatAreWrittenAnewGiveTheirRoomBack() {
+        const ParseResult parsed = parseScene(
+            "#declare S = \"0123456789abcdef\"; #for (I, 1, 16) #declare S = concat(S, S); #end "
+            "#for (I, 1, 256) #fopen F \"a.txt\" write #write (F, S) #fclose F #end sphere { 0, 1 }");
+        QCOMPARE(parsed.writtenFiles.at("a.txt").size(), std::size_t(1) << 20);
+        QCOMPARE(parsed.diagnostics.front().severity, Severity::note);
+    }
+
+    void filesMustBeOpenToBeRead() {
+        for (const char* text : {"#read (F, A)", "#fopen F \"a.txt\" write #read (F, A) #fclose F"}) {
+            const ParseResult parsed = parseScene(std::string(text) + " sphere { 0, 1 }");
+            QCOMPARE(std::ranges::count(parsed.diagnostics, Severity::error, &Diagnostic::severity), 1);
+        }
+    }
+
     void nothingIsWrittenOutsideOfTheFolder() {
         const QTemporaryDir outer;
         QVERIFY(QDir(outer.path()).mkdir("inner"));

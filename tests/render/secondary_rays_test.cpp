@@ -313,6 +313,32 @@ class SecondaryRaysTest : public QObject {
         QVERIFY(close(seen("reflection 0.4", "rgbft <0.9, 0.5, 0.1, 0.2, 0.1>", 60), 0.5, 0.5, 0.5));
     }
 
+    /// A material may hold the texture of the inside.
+    void insidesAreSeenFromWithin() {
+        const std::string rest = " finish { ambient 0 diffuse 0 emission 1 } } ";
+        const auto seen = [&](const std::string& shape) {
+            return colorOf("global_settings { assumed_gamma 1 } sphere { 0, " + shape +
+                           " material { texture { pigment { rgb <1, 0, 0> }" + rest +
+                           "interior_texture { pigment { rgb <0, 1, 0> }" + rest + "} }");
+        };
+        QVERIFY(close(seen("2"), 1, 0, 0));
+        QVERIFY(close(seen("20"), 0, 1, 0));
+    }
+
+    /// What a union says of double_illuminate, its parts say, too.
+    void aUnionIsLitFromBothSidesWithAllItsParts() {
+        const auto lit = [](const std::string& flag) {
+            return colorOf(
+                "global_settings { assumed_gamma 1 } light_source { z*100 rgb 1 parallel point_at 0 } union "
+                "{ "
+                "disc { 0, z, 5 pigment { rgb 1 } finish { ambient 0 diffuse 1 } no_shadow } disc { 20*x, z, "
+                "1 } " +
+                flag + " }");
+        };
+        QVERIFY(close(lit(""), 0, 0, 0));
+        QVERIFY(close(lit("double_illuminate"), 1, 1, 1));
+    }
+
     void fadingWithoutAPowerDimsNoShadow() {
         const auto lit = [](const std::string& interior) {
             return colorOf(

@@ -89,9 +89,7 @@ bool IsosurfaceParser::parseNumberItem() {
 void IsosurfaceParser::parseFunction() {
     FunctionParser functions(tokens_);
     const SourceRange word = tokens_.lastRange();
-    if (tokens_.peek().is("("))
-        warnOfRefusal(tokens_.context(), tokens_.peek().range,
-                      "takes no names of arguments here: they are x, y and z.", "leave them out");
+    const Token named = tokens_.peek();
     if (hasFunction_)
         warnOfRefusal(tokens_.context(), word, "takes one `function` in an `isosurface`.",
                       "leave one of them out");
@@ -111,6 +109,9 @@ void IsosurfaceParser::parseFunction() {
         return;
     }
     settings_.function = value.function;
+    if (named.is("("))
+        warnOfRefusal(tokens_.context(), named.range,
+                      "takes no names of arguments here: they are x, y and z.", "leave them out");
 }
 
 void IsosurfaceParser::parseContainer() {

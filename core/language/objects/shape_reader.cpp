@@ -7,6 +7,7 @@
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/expressions/parameter_collector.h"
 #include "core/language/tokens/povray_refusals.h"
+#include "core/language/tokens/words.h"
 
 namespace isoscope {
 
@@ -24,7 +25,7 @@ double ShapeReader::number(const std::string& name) {
 void ShapeReader::parseComma() {
     if (!tokens_.accept(",") || lastCommas_) return;
     const Token next = tokens_.peek();
-    const bool ends = next.is("}") || next.kind == TokenKind::word;
+    const bool ends = next.is("}") || (next.kind == TokenKind::word && isReservedWord(next.text));
     if (ends && !ExpressionParser(tokens_).atExpression()) warnOfLastComma(tokens_);
 }
 
