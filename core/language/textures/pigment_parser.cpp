@@ -328,7 +328,11 @@ bool PigmentParser::parseMapEntry(bool colors) {
     ExpressionParser expressions(tokens_);
     double position = 1;
     // `average` may go without weights.
-    if (expressions.atExpression() && !atColor()) position = expressions.parseFloat();
+    if (expressions.atExpression() && !atColor())
+        position = expressions.parseFloat();
+    else if (colors)
+        warnOfRefusal(tokens_.context(), tokens_.peek().range, "wants a position in front of the colour.",
+                      "write a number from 0 to 1");
     tokens_.accept(",");
     mapped_->entries.push_back({position, SolidPigment{}});
     if (colors) {
