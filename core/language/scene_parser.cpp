@@ -50,8 +50,7 @@ void SceneParser::parse() {
 void SceneParser::parseStatement() {
     const Token token = tokens_.peek();
     if (tokens_.accept(";"))
-        return warnOfRefusal(tokens_.context(), token.range, "takes no `;` behind a statement.",
-                             "leave it out");
+        return warnOfSuperfluous(tokens_.context(), token.range, "takes no `;` behind a statement.");
     const Diagnostics& told = tokens_.context().diagnostics;
     const auto before = static_cast<std::ptrdiff_t>(told.size());
     if (token.kind == TokenKind::word && parseKnown(token))

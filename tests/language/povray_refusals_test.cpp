@@ -73,6 +73,21 @@ class PovrayRefusalsTest : public QObject {
         QCOMPARE(parsed.scene->isosurfaces.at(0).shape->settings().maxGradient, 2.0);
     }
 
+    void whatIsTooMuchOrMissingIsMendedByAClick() {
+        const auto mended = [](const std::string& text) {
+            const ParseResult parsed = parseScene(text);
+            const auto found = std::ranges::find(parsed.diagnostics, "povray-refuses", &Diagnostic::id);
+            if (found == parsed.diagnostics.end() || found->fixes.size() != 1) return std::string("no fix");
+            const QuickFix& fix = found->fixes.front();
+            return text.substr(0, fix.range.begin) + fix.replacement + text.substr(fix.range.end);
+        };
+        QCOMPARE(mended("sphere { 0, 1, pigment { rgb 1 } }"),
+                 std::string("sphere { 0, 1 pigment { rgb 1 } }"));
+        QCOMPARE(mended("sphere { 0, 1 };"), std::string("sphere { 0, 1 }"));
+        QCOMPARE(mended("sphere { 0, 1 pigment { <1, 0, 0> } }"),
+                 std::string("sphere { 0, 1 pigment { rgb <1, 0, 0> } }"));
+    }
+
     /// Before version 3.5 it was written anywhere.
     void theKindOfACameraStandsAnywhereInOldScenes() {
         const std::string camera = "camera { location -z*5 orthographic look_at 0 } sphere { 0, 1 }";

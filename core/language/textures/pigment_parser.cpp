@@ -224,6 +224,16 @@ bool PigmentParser::atColor() {
            (array && *array && std::any_of((*array)->elements.begin(), (*array)->elements.end(), isVector));
 }
 
+/// A vector alone is no colour in POV-Ray; a declared colour is one.
+void PigmentParser::warnOfBareVector() {
+    const Token token = tokens_.peek();
+    const Value* value = token.kind == TokenKind::word ? tokens_.context().symbols.find(token.text) : nullptr;
+    const auto* vector = value ? std::get_if<VectorValue>(&value->data) : nullptr;
+    constexpr int colorComponents = 5;
+    if (token.is("<") || (vector && vector->count < colorComponents))
+        warnOfMissing(tokens_.context(), token.range, "wants `rgb` in front of a vector as a colour.", "rgb");
+}
+
 bool PigmentParser::parseColorSetting() {
     if (tokens_.accept("quick_color") || tokens_.accept("quick_colour")) {
         ExpressionParser(tokens_).parseColor();
@@ -241,6 +251,7 @@ bool PigmentParser::parseColorSetting() {
 
 bool PigmentParser::parseColor() {
     if (isList() || !atColor()) return false;
+    warnOfBareVector();
     mapped_.reset();
     leftOut_.clear();
     solid_ = {ExpressionParser(tokens_).parseColor(), {}};
@@ -256,7 +267,8 @@ bool PigmentParser::parseListItem() {
         mapped_->entries.push_back({static_cast<double>(mapped_->entries.size()), std::move(pigment)});
         tokens_.accept(",");
     };
-    if (atColor()) {
+    // As in POV-Ray, numbers are greys here.
+    if (atColor() || tokens_.peek().kind == TokenKind::number) {
         add(SolidPigment{ExpressionParser(tokens_).parseColor(), {}});
         return true;
     }
@@ -365,6 +377,7 @@ void PigmentParser::parseColorEntry() {
             failed_ = true;
         }
     } else {
+        warnOfBareVector();
         mapped_->entries.back().pigment = SolidPigment{expressions.parseColor(), {}};
     }
     if (tokens_.expect("]", "to close the entry of the colour map")) return;

@@ -37,6 +37,7 @@ class PigmentParser {
     bool parsePattern();
     bool parseColorSetting();
     bool parseColor();
+    void warnOfBareVector();
     bool parseOpenList();
     bool parseListItem();
     bool parseOther();

@@ -6,13 +6,27 @@
 namespace isoscope {
 
 void warnOfRefusal(ParseContext& context, const SourceRange& range, const std::string& wants,
-                   const std::string& hint) {
-    context.warning("povray-refuses", range, "POV-Ray " + wants, hint);
+                   const std::string& hint, std::vector<QuickFix> fixes) {
+    // Fixes are for the scene itself.
+    if (range.file != 0) fixes.clear();
+    context.report(
+        {Severity::warning, "povray-refuses", range, "POV-Ray " + wants, hint, {}, std::move(fixes)});
+}
+
+void warnOfSuperfluous(ParseContext& context, const SourceRange& range, const std::string& wants) {
+    const std::string text(context.sources.slice(range));
+    warnOfRefusal(context, range, wants, "leave it out", {{"Leave `" + text + "` out", range, {}}});
+}
+
+void warnOfMissing(ParseContext& context, const SourceRange& range, const std::string& wants,
+                   const std::string& added) {
+    warnOfRefusal(context, range, wants, "write `" + added + "` in front of it",
+                  {{"Add `" + added + "`", {range.file, range.begin, range.begin}, added + " "}});
 }
 
 void warnOfLastComma(TokenStream& tokens) {
     if (tokens.context().sources.slice(tokens.lastRange()) == ",")
-        warnOfRefusal(tokens.context(), tokens.lastRange(), "takes no comma here.", "leave it out");
+        warnOfSuperfluous(tokens.context(), tokens.lastRange(), "takes no comma here.");
 }
 
 void warnOfLateName(ParseContext& context, const Token& name, const std::string& block) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/language/parse_context.h"
 #include "core/language/tokens/token.h"
@@ -13,7 +14,12 @@ namespace isoscope {
 /// Warns of text that is read here and that POV-Ray 3.7 refuses: `wants` is what it wants instead, behind
 /// "POV-Ray", and `hint` what to do. Each was tried with POV-Ray.
 void warnOfRefusal(ParseContext& context, const SourceRange& range, const std::string& wants,
-                   const std::string& hint);
+                   const std::string& hint, std::vector<QuickFix> fixes = {});
+
+/// The same of text that can be left out, or have `added` put in front of it; a fix does so.
+void warnOfSuperfluous(ParseContext& context, const SourceRange& range, const std::string& wants);
+void warnOfMissing(ParseContext& context, const SourceRange& range, const std::string& wants,
+                   const std::string& added);
 
 /// Warns of the token taken last, if that is a comma with no further number behind it.
 void warnOfLastComma(TokenStream& tokens);
