@@ -4,8 +4,11 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <fstream>
+#include <iterator>
 
 #include "core/language/directives/asset_file.h"
+#include "core/language/directives/library_paths.h"
 #include "core/language/directives/native_includes.h"
 #include "tests/language/stream_run.h"
 
@@ -153,6 +156,29 @@ class IncludeLibraryTest : public QObject {
     void refusesWhatIsNoFile() {
         for (const char* text : {"#include \"\"", "#include \"/\"", "#include \"..\"", "#include chr(0)"})
             QVERIFY2(hasErrors(run(text).context->diagnostics), text);
+    }
+
+    /// Where POV-Ray is installed, the directives of its include files run without a mistake.
+    void theStandardIncludesRun_data() {
+        QTest::addColumn<QString>("path");
+        if (installedLibraryPaths().empty()) return;
+        const QDir folder(QString::fromStdString(installedLibraryPaths().front().string()));
+        for (const QString& name : folder.entryList({"*.inc", "*.map"}, QDir::Files))
+            QTest::newRow(qPrintable(name)) << folder.filePath(name);
+    }
+
+    void theStandardIncludesRun() {
+        if (installedLibraryPaths().empty()) QSKIP("POV-Ray's include files are not installed");
+        QFETCH(QString, path);
+        std::ifstream input(path.toStdString(), std::ios::binary);
+        const std::string text{std::istreambuf_iterator<char>(input), {}};
+        ParseOptions options;
+        options.file = path.toStdString();
+        options.libraryPaths = installedLibraryPaths();
+        const StreamRun done = run(text, options);
+        for (const Diagnostic& diagnostic : done.context->diagnostics)
+            QVERIFY2(diagnostic.severity != Severity::error,
+                     toString(diagnostic, done.context->sources).c_str());
     }
 };
 

@@ -31,6 +31,8 @@ void warnOfLateName(ParseContext& context, const Token& name, const std::string&
 /// colour or pattern with its list, then all others.
 class ItemOrder {
   public:
+    /// What was read: `uv_mapping`, the name of a declared one, its colour or pattern, an entry of the list
+    /// behind it, anything else.
     enum class Item : std::uint8_t { mapping, name, start, list, other };
 
     explicit ItemOrder(const char* block) : block_(block) {}
