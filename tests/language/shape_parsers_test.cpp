@@ -5,6 +5,7 @@
 #include <cmath>
 #include <QTest>
 
+#include "core/language/directives/library_paths.h"
 #include "core/language/parse.h"
 #include "core/shapes/isosurface/julia_fractal.h"
 #include "core/shapes/solids/poly.h"
@@ -160,6 +161,8 @@ class ShapeParsersTest : public QObject {
             "error: This polygon announces 4 points, but has 3. [polygon { 4, <0, 0>, <1, 0>, <1, 1>]");
         row("triangle { 0, x, 2*x }",
             "warning: The corners of this triangle lie on one line; it is left out. [triangle { 0, x, 2*x]");
+        row("superellipsoid { <1, 0> }",
+            "error: Both exponents of a superellipsoid must be greater than 0. [<1, 0>]");
         row("superellipsoid { <0, 1> }",
             "error: Both exponents of a superellipsoid must be greater than 0. [<0, 1>]");
         row("blob { threshold 0.5 }", "error: A blob needs at least one component. [blob]");
@@ -200,6 +203,20 @@ class ShapeParsersTest : public QObject {
         QFETCH(QString, complaint);
         const ParseResult parsed = parseScene(text.toStdString());
         QVERIFY2(complaints(parsed).contains(complaint), qPrintable(complaints(parsed).join("\n")));
+    }
+
+    /// Bytes that are no UTF-8 are Latin-1: both spell the same letter.
+    void textsAreUtf8OrLatin1() {
+        if (installedLibraryPaths().empty()) QSKIP("POV-Ray's fonts are not installed");
+        ParseOptions options;
+        options.libraryPaths = installedLibraryPaths();
+        const auto widthOf = [&](const std::string& letters) {
+            const ParseResult parsed = parseScene(
+                "text { ttf \"cyrvetic.ttf\", \"" + letters + "\", 1, 0 pigment { rgb 1 } }", options);
+            return parsed.scene->objects.at(0).shape->bounds().high.x;
+        };
+        QCOMPARE(widthOf("W\u00fcW"), widthOf("W\xfcW"));
+        QVERIFY(widthOf("W\u00fcW") != widthOf("W\u00ecW"));
     }
 
     void waterLevelsAreFromZeroToOne() {
