@@ -67,7 +67,7 @@ class ExpressionParserTest : public QObject {
         row("(V + 1).y", "3");
         row("<1, 2, 3>.red", "1");
         row("C.gray", "0.1817");
-        row("<1, 1, 1>.gray", "1");
+        row("<1, 0, 0>.gray", "0.297");
         row("C.green + C.filter + C.transmit", "0.2");
         row("B[0][2]", "3");
         row("B[0.5][1.9]", "2");

@@ -173,12 +173,22 @@ bool TextureParser::parsePart(Material& material) {
 void TextureParser::parseBody(Material& material, std::string_view end, std::string_view keyword) {
     const NestingGuard guard(tokens_);
     if (!guard.ok()) return tokens_.skipBlock();
-    for (bool isFirst = true; !tokens_.peek().is(end); isFirst = false) {
+    bool isFirst = true, namesMayFollow = true;
+    while (!tokens_.peek().is(end)) {
         const Token word = tokens_.peek();
-        if (startFromDeclared(material)) {
+        // Names of textures stand first, those of pigments, normals and finishes behind nothing but names.
+        if (const std::optional<Material> declared = takeDeclared<Material>(tokens_)) {
+            material = *declared;
             if (!isFirst) warnOfLateName(tokens_.context(), word, "texture");
+            isFirst = false;
             continue;
         }
+        if (startFromDeclared(material)) {
+            if (!namesMayFollow) warnOfLateName(tokens_.context(), word, "part of a texture");
+            isFirst = false;
+            continue;
+        }
+        if (!word.is("uv_mapping")) isFirst = namesMayFollow = false;
         if (parseTextureItem(material)) continue;
         const Token token = tokens_.peek();
         if (token.kind == TokenKind::end) {

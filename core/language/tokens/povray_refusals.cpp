@@ -29,10 +29,11 @@ void warnOfLastComma(TokenStream& tokens) {
         warnOfSuperfluous(tokens.context(), tokens.lastRange(), "takes no comma here.");
 }
 
-void warnOfLateName(ParseContext& context, const Token& name, const std::string& block) {
-    warnOfRefusal(context, name.range,
-                  "wants the name of a declared " + block + ", `" + std::string(name.text) + "`, first.",
-                  "move it to the beginning of the `" + block + "`");
+void warnOfLateName(ParseContext& context, const Token& name, const std::string& kind) {
+    warnOfRefusal(
+        context, name.range,
+        "wants the name of a declared " + kind + ", `" + std::string(name.text) + "`, before other items.",
+        "move it in front of them");
 }
 
 void ItemOrder::note(ParseContext& context, const Token& word, Item item) {

@@ -24,8 +24,8 @@ void warnOfMissing(ParseContext& context, const SourceRange& range, const std::s
 /// Warns of the token taken last, if that is a comma with no further number behind it.
 void warnOfLastComma(TokenStream& tokens);
 
-/// Warns of the name of a declared `block`, "texture", that does not stand first in one.
-void warnOfLateName(ParseContext& context, const Token& name, const std::string& block);
+/// Warns of the name of a declared `kind`, "texture", that stands behind other items.
+void warnOfLateName(ParseContext& context, const Token& name, const std::string& kind);
 
 /// The order in which POV-Ray wants the items of a `pigment` or `normal`: `uv_mapping`, a declared one, the
 /// colour or pattern with its list, then all others.
