@@ -83,6 +83,9 @@ class PovrayRefusalsTest : public QObject {
         };
         QCOMPARE(mended("sphere { 0, 1, pigment { rgb 1 } }"),
                  std::string("sphere { 0, 1 pigment { rgb 1 } }"));
+        QCOMPARE(mended("isosurface { function { x }, max_gradient 2 }"),
+                 std::string("isosurface { function { x } max_gradient 2 }"));
+        QCOMPARE(mended("camera { location x, look_at 0 }"), std::string("camera { location x look_at 0 }"));
         QCOMPARE(mended("sphere { 0, 1 };"), std::string("sphere { 0, 1 }"));
         QCOMPARE(mended("sphere { 0, 1 pigment { <1, 0, 0> } }"),
                  std::string("sphere { 0, 1 pigment { rgb <1, 0, 0> } }"));

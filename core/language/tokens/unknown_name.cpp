@@ -10,6 +10,7 @@
 #include "core/language/functions/function_parser.h"
 #include "core/language/scene_draft.h"
 #include "core/language/tokens/block_words.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/words.h"
 
 namespace isoscope {
@@ -205,6 +206,13 @@ bool passUnknownItem(TokenStream& tokens, std::string_view block, std::string_vi
     if (first.kind == TokenKind::end || first.is("}")) return false;
     if (end == "}" && closeUnclosed(tokens, block)) return true;
     ParseContext& context = tokens.context();
+    if (first.is(",")) {
+        tokens.next();
+        if (tokens.peek().is(end) || beginsItem(tokens, block)) {
+            warnOfLastComma(tokens);
+            return true;
+        }
+    }
     reportUnknownWord(context, "unknown-item", first,
                       describe(first) + " is not understood in `" + std::string(block) + "`.", block,
                       [&] { return itemWords(context, first.text, block); });
