@@ -85,6 +85,18 @@ class PovrayRefusalsTest : public QObject {
                  std::string("sphere { 0, 1 pigment { rgb 1 } }"));
         QCOMPARE(mended("isosurface { function { x }, max_gradient 2 }"),
                  std::string("isosurface { function { x } max_gradient 2 }"));
+        QCOMPARE(mended("isosurface {\n  function { x }\n  pigment { rgb 1 }\n  max_gradient 2\n}"),
+                 std::string("isosurface {\n  function { x }\n  max_gradient 2\n  pigment { rgb 1 }\n}"));
+        QCOMPARE(mended("isosurface { function { x } pigment { rgb 1 } // red\n max_gradient 2 }"),
+                 std::string("no fix"));
+        QCOMPARE(
+            mended("union { sphere { 0, 1 } rotate y translate x box { 0, 1 } pigment { rgb 1 } }"),
+            std::string("union { sphere { 0, 1 } box { 0, 1 } rotate y translate x pigment { rgb 1 } }"));
+        // What comes from a macro, or under a condition, stays where it is.
+        QCOMPARE(mended("#macro P() pigment { rgb 1 } #end isosurface { function { x } P() max_gradient 2 }"),
+                 std::string("no fix"));
+        QCOMPARE(mended("isosurface { function { x } #if (1) pigment { rgb 1 } #end max_gradient 2 }"),
+                 std::string("no fix"));
         QCOMPARE(mended("camera { location x, look_at 0 }"), std::string("camera { location x look_at 0 }"));
         QCOMPARE(mended("sphere { 0, 1 };"), std::string("sphere { 0, 1 }"));
         QCOMPARE(mended("sphere { 0, 1 pigment { <1, 0, 0> } }"),

@@ -37,11 +37,10 @@ bool IsosurfaceParser::parseItem() {
         hasItems_ = true;
     else
         return false;
-    if (hasModifiers_ && hasFunction_)
-        warnOfRefusal(tokens_.context(), word.range,
-                      "wants `" + std::string(word.text) +
-                          "` before textures, transformations and other modifiers of an `isosurface`.",
-                      "move it in front of them");
+    if (modifiers_ && hasFunction_)
+        warnOfLateItem(tokens_, *modifiers_, word,
+                       "wants `" + std::string(word.text) +
+                           "` before textures, transformations and other modifiers of an `isosurface`.");
     lastItem_ = tokens_.lastRange();
     return true;
 }
@@ -93,7 +92,7 @@ void IsosurfaceParser::parseFunction() {
     if (hasFunction_)
         warnOfRefusal(tokens_.context(), word, "takes one `function` in an `isosurface`.",
                       "leave one of them out");
-    if ((hasItems_ || hasModifiers_) && !hasFunction_)
+    if ((hasItems_ || modifiers_) && !hasFunction_)
         tokens_.context().warning("function-not-first", word,
                                   "POV-Ray wants `function` first in an `isosurface`.",
                                   "move it in front of the other items");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "core/language/expressions/parameter_collector.h"
 #include "core/language/objects/object_description.h"
@@ -21,8 +22,10 @@ class IsosurfaceParser {
     /// the reason is reported: `start` is the keyword.
     void finish(ObjectDescription& description, const SourceRange& start);
 
-    /// A modifier of objects has been read, behind which POV-Ray takes no more items.
-    void noteModifier() { hasModifiers_ = true; }
+    /// A modifier of objects has been read that begins at `first`; POV-Ray takes no more items behind it.
+    void noteModifier(const SourceRange& first) {
+        if (!modifiers_) modifiers_ = first;
+    }
     /// Something in the statement was not understood, perhaps its function: that it is missing is not blamed.
     void excuse() { excused_ = true; }
 
@@ -48,7 +51,7 @@ class IsosurfaceParser {
     std::array<bool, 3> given_{};  ///< which number items the text has
     bool hasFunction_ = false;
     bool hasItems_ = false;
-    bool hasModifiers_ = false;
+    std::optional<SourceRange> modifiers_;  ///< where the first begins
     bool excused_ = false;
 };
 

@@ -65,8 +65,8 @@ struct ObjectParser::Statement {
     bool drawn = true;     ///< false when nothing can be shown; the reason has been reported
     bool excused = false;  ///< its shape was not understood: items that follow may be parts of it
     bool firstPartMissing = false;
-    bool onSurface = false;  ///< `uv_mapping` has been said
-    bool modified = false;   ///< a modifier has been read
+    bool onSurface = false;                ///< `uv_mapping` has been said
+    std::optional<SourceRange> modifiers;  ///< where the first begins
 };
 
 bool ObjectParser::isObject(std::string_view word) {
@@ -248,19 +248,18 @@ void ObjectParser::take(Statement& statement, const ObjectPointer& object) {
 
 bool ObjectParser::parseModifier(Statement& statement) {
     if (statement.isosurface && statement.isosurface->parseItem()) return true;
+    const Token word = tokens_.peek();
     if (parseTransform(statement) || parseTexture(statement) || parseInterior(statement) ||
         parseFlag(statement) || parseWrapping(statement) || parseIgnored(statement)) {
-        statement.modified = true;
-        if (statement.isosurface) statement.isosurface->noteModifier();
+        if (!statement.modifiers) statement.modifiers = word.range;
+        if (statement.isosurface) statement.isosurface->noteModifier(word.range);
         return true;
     }
-    const Token word = tokens_.peek();
     if (!csgOperation(statement.keyword.text) || !parsePart(statement)) return false;
-    if (statement.modified)
-        warnOfRefusal(tokens_.context(), word.range,
-                      "wants the objects of a `" + std::string(statement.keyword.text) +
-                          "` before its textures, transformations and other modifiers.",
-                      "move the object in front of them");
+    if (statement.modifiers)
+        warnOfLateItem(tokens_, *statement.modifiers, word,
+                       "wants the objects of a `" + std::string(statement.keyword.text) +
+                           "` before its textures, transformations and other modifiers.");
     return true;
 }
 

@@ -21,6 +21,10 @@ void warnOfSuperfluous(ParseContext& context, const SourceRange& range, const st
 void warnOfMissing(ParseContext& context, const SourceRange& range, const std::string& wants,
                    const std::string& added);
 
+/// The same of an item, just read, that must stand before what begins at `first`; a fix exchanges the two.
+void warnOfLateItem(TokenStream& tokens, const SourceRange& first, const Token& item,
+                    const std::string& wants);
+
 /// Warns of the token taken last, if that is a comma with no further number behind it.
 void warnOfLastComma(TokenStream& tokens);
 
