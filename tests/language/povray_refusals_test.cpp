@@ -73,6 +73,16 @@ class PovrayRefusalsTest : public QObject {
         QCOMPARE(parsed.scene->isosurfaces.at(0).shape->settings().maxGradient, 2.0);
     }
 
+    void whatIsRefusedIsReadAllTheSame() {
+        const ParseResult camera = parseScene(declarations + "camera { C0 location y } sphere { 0, 1 }");
+        QCOMPARE(camera.scene->camera.location.y, 1.0);
+        const ParseResult light = parseScene("light_source { 0, 1, parallel, shadowless } sphere { 0, 1 }");
+        QVERIFY(light.scene->lights.at(0).shadowless &&
+                light.scene->lights.at(0).kind == LightKind::parallel);
+        const ParseResult flags = parseScene("sphere { 0, 1 hierarchy off split_union off sturm no_shadow }");
+        QVERIFY(!flags.scene->objects.at(0).castsShadow);
+    }
+
     void whatIsTooMuchOrMissingIsMendedByAClick() {
         const auto mended = [](const std::string& text) {
             const ParseResult parsed = parseScene(text);

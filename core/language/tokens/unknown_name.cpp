@@ -201,28 +201,33 @@ bool closeUnclosed(TokenStream& tokens, std::string_view block) {
     return true;
 }
 
+/// skipUnknownItem() behind the first token of the item.
+static void skipRestOfItem(TokenStream& tokens, std::string_view block);
+
 bool passUnknownItem(TokenStream& tokens, std::string_view block, std::string_view end) {
     const Token first = tokens.peek();
     if (first.kind == TokenKind::end || first.is("}")) return false;
     if (end == "}" && closeUnclosed(tokens, block)) return true;
     ParseContext& context = tokens.context();
-    if (first.is(",")) {
-        tokens.next();
-        if (tokens.peek().is(end) || beginsItem(tokens, block)) {
-            warnOfLastComma(tokens);
-            return true;
-        }
+    tokens.next();
+    if (first.is(",") && (tokens.peek().is(end) || beginsItem(tokens, block))) {
+        warnOfLastComma(tokens);
+        return true;
     }
     reportUnknownWord(context, "unknown-item", first,
                       describe(first) + " is not understood in `" + std::string(block) + "`.", block,
                       [&] { return itemWords(context, first.text, block); });
-    skipUnknownItem(tokens, block);
+    skipRestOfItem(tokens, block);
     return true;
 }
 
 void skipUnknownItem(TokenStream& tokens, std::string_view block) {
-    const ParseContext& context = tokens.context();
     tokens.next();
+    skipRestOfItem(tokens, block);
+}
+
+void skipRestOfItem(TokenStream& tokens, std::string_view block) {
+    const ParseContext& context = tokens.context();
     bool expectsValue = true;  // what comes next is more of the item, be it an unknown name
     for (int depth = 0;;) {
         const Token token = tokens.peek();

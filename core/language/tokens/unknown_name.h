@@ -26,7 +26,7 @@ void reportUnknownWord(ParseContext& context, const std::string& id, const Token
 
 /// Says that the next token begins no item of `block` ("camera"), with a likely word for a hint, and passes
 /// it by, as skipUnknownItem() does. False, and nothing is said or passed, at the end of the block or of the
-/// text. `end` is what closes the block.
+/// text. Of a comma between items it only warns. `end` is what closes the block.
 bool passUnknownItem(TokenStream& tokens, std::string_view block, std::string_view end = "}");
 /// Passes the next token by with what seems to belong to it: numbers, names, operators, one block. What
 /// follows can be read as if it had not been there. What directives in it say is told.
