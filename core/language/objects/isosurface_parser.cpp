@@ -29,7 +29,8 @@ constexpr std::array<NumberItem, 3> numberItems{
 
 }  // namespace
 
-bool IsosurfaceParser::parseItem() {
+bool IsosurfaceParser::parseItem(const std::optional<SourceRange>& modifiers) {
+    hasItems_ |= modifiers.has_value();
     const Token word = tokens_.peek();
     if (tokens_.accept("function"))
         parseFunction();
@@ -37,8 +38,8 @@ bool IsosurfaceParser::parseItem() {
         hasItems_ = true;
     else
         return false;
-    if (modifiers_ && hasFunction_)
-        warnOfLateItem(tokens_, *modifiers_, word,
+    if (modifiers && hasFunction_)
+        warnOfLateItem(tokens_, *modifiers, word,
                        "wants `" + std::string(word.text) +
                            "` before textures, transformations and other modifiers of an `isosurface`.");
     lastItem_ = tokens_.lastRange();
@@ -92,7 +93,7 @@ void IsosurfaceParser::parseFunction() {
     if (hasFunction_)
         warnOfRefusal(tokens_.context(), word, "takes one `function` in an `isosurface`.",
                       "leave one of them out");
-    if ((hasItems_ || modifiers_) && !hasFunction_)
+    if (hasItems_ && !hasFunction_)
         tokens_.context().warning("function-not-first", word,
                                   "POV-Ray wants `function` first in an `isosurface`.",
                                   "move it in front of the other items");

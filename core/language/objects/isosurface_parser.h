@@ -16,16 +16,13 @@ class IsosurfaceParser {
   public:
     explicit IsosurfaceParser(TokenStream& tokens) : tokens_(tokens), parameters_(tokens.context()) {}
 
-    /// Reads one item, if one comes next; false when something else does.
-    bool parseItem();
+    /// Reads one item, if one comes next; false when something else does. `modifiers` is where the first
+    /// modifier of the object begins, if one has been read: POV-Ray takes no items behind it.
+    bool parseItem(const std::optional<SourceRange>& modifiers);
     /// Puts what was read into the description. Without a function that was understood it gets no shape, and
     /// the reason is reported: `start` is the keyword.
     void finish(ObjectDescription& description, const SourceRange& start);
 
-    /// A modifier of objects has been read that begins at `first`; POV-Ray takes no more items behind it.
-    void noteModifier(const SourceRange& first) {
-        if (!modifiers_) modifiers_ = first;
-    }
     /// Something in the statement was not understood, perhaps its function: that it is missing is not blamed.
     void excuse() { excused_ = true; }
 
@@ -51,7 +48,6 @@ class IsosurfaceParser {
     std::array<bool, 3> given_{};  ///< which number items the text has
     bool hasFunction_ = false;
     bool hasItems_ = false;
-    std::optional<SourceRange> modifiers_;  ///< where the first begins
     bool excused_ = false;
 };
 

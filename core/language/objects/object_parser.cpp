@@ -44,12 +44,10 @@ constexpr std::array<FlagOfSome, 3> flagsOfSome{
      {"hierarchy", {"object", "blob", "mesh", "mesh2", "height_field"}},
      {"split_union", {"object", "union", "merge", "light_group"}}}};
 
-bool isWordOfSome(std::string_view word) {
-    return std::ranges::find(flagsOfSome, word, &FlagOfSome::word) != flagsOfSome.end();
-}
-bool isWordOf(std::string_view word, std::string_view keyword) {
-    const auto* flag = std::ranges::find(flagsOfSome, word, &FlagOfSome::word);
-    return std::ranges::find(flag->keywords, keyword) != flag->keywords.end();
+/// Null where the word is none of them.
+const FlagOfSome* flagOfSome(std::string_view word) {
+    const auto flag = std::ranges::find(flagsOfSome, word, &FlagOfSome::word);
+    return flag == flagsOfSome.end() ? nullptr : &*flag;
 }
 
 }  // namespace
@@ -247,12 +245,11 @@ void ObjectParser::take(Statement& statement, const ObjectPointer& object) {
 }
 
 bool ObjectParser::parseModifier(Statement& statement) {
-    if (statement.isosurface && statement.isosurface->parseItem()) return true;
+    if (statement.isosurface && statement.isosurface->parseItem(statement.modifiers)) return true;
     const Token word = tokens_.peek();
     if (parseTransform(statement) || parseTexture(statement) || parseInterior(statement) ||
         parseFlag(statement) || parseWrapping(statement) || parseIgnored(statement)) {
         if (!statement.modifiers) statement.modifiers = word.range;
-        if (statement.isosurface) statement.isosurface->noteModifier(word.range);
         return true;
     }
     if (!csgOperation(statement.keyword.text) || !parsePart(statement)) return false;
@@ -330,10 +327,10 @@ bool ObjectParser::parseFlag(Statement& statement) {
         description.doubleIlluminate = parseOn();
     else if (tokens_.accept("no_radiosity"))
         parseOn();
-    else if (const Token word = tokens_.peek(); isWordOfSome(word.text)) {
-        tokens_.next();
+    else if (const FlagOfSome* flag = flagOfSome(tokens_.peek().text)) {
+        const Token word = tokens_.next();
         parseOn();
-        if (!isWordOf(word.text, statement.keyword.text))
+        if (std::ranges::find(flag->keywords, statement.keyword.text) == flag->keywords.end())
             warnOfRefusal(tokens_.context(), word.range,
                           "does not take `" + std::string(word.text) + "` in `" +
                               std::string(statement.keyword.text) + "`.",
