@@ -32,16 +32,17 @@ constexpr std::array<NumberItem, 3> numberItems{
 bool IsosurfaceParser::parseItem(const std::optional<SourceRange>& modifiers) {
     hasItems_ |= modifiers.has_value();
     const Token word = tokens_.peek();
-    if (tokens_.accept("function"))
+    if (tokens_.accept("function")) {
         parseFunction();
-    else if (parseOtherItem())
+    } else if (parseOtherItem()) {
         hasItems_ = true;
-    else
+        if (modifiers && hasFunction_)
+            warnOfLateItem(tokens_, *modifiers, word,
+                           "wants `" + std::string(word.text) +
+                               "` before textures, transformations and other modifiers of an `isosurface`.");
+    } else {
         return false;
-    if (modifiers && hasFunction_)
-        warnOfLateItem(tokens_, *modifiers, word,
-                       "wants `" + std::string(word.text) +
-                           "` before textures, transformations and other modifiers of an `isosurface`.");
+    }
     lastItem_ = tokens_.lastRange();
     return true;
 }
