@@ -12,6 +12,7 @@
 #include "core/evaluate/prepared_function.h"
 #include "core/evaluate/tape/loop_range.h"
 #include "core/evaluate/tape/loop_stop.h"
+#include "core/evaluate/tape/tape_axes.h"
 
 namespace isoscope {
 
@@ -83,22 +84,6 @@ IntervalGradient withoutWraps(Operation operation, Operands operands, const Crac
     return operands.size() == 1 ? elementary(operation, *operands[0]) : twoOperands(operation, operands);
 }
 
-/// The coordinates that each instruction depends on, and at the end those of result 0, when instruction
-/// `left` counts for none.
-std::vector<std::uint8_t> axesWithout(const Tape& tape, std::size_t left) {
-    std::vector<std::uint8_t> slots(tape.slotCount()), all;
-    const auto coordinates = static_cast<std::size_t>(std::min(3, tape.argumentCount()));
-    for (std::size_t k = 0; k < coordinates; ++k) slots[k] = static_cast<std::uint8_t>(1 << k);
-    for (const Instruction& instruction : tape.instructions()) {
-        std::uint8_t axes = 0;
-        for (std::size_t k = 0; k < instruction.operandCount; ++k) axes |= slots[instruction.operands[k]];
-        slots[instruction.target] = all.size() == left ? 0 : axes;
-        all.push_back(slots[instruction.target]);
-    }
-    all.push_back(slots[tape.results()[0]]);
-    return all;
-}
-
 /// Whether the root of each instruction's result may be asked for.
 std::vector<bool> wantedRoots(const Tape& tape) {
     std::vector<bool> slots(tape.slotCount()), all(tape.instructions().size());
@@ -134,10 +119,10 @@ std::optional<std::size_t> foldOf(const Tape& tape) {
     constexpr std::size_t mostInstructions = 1000;
     const auto& instructions = tape.instructions();
     if (!tape.loops().empty() || instructions.size() > mostInstructions) return {};
-    const std::vector<std::uint8_t> axes = axesWithout(tape, instructions.size());
+    const std::vector<std::uint8_t> axes = axesWithout(tape);
     for (std::size_t i = 0; i < instructions.size(); ++i) {
         if (instructions[i].operation != Operation::squareRoot) continue;
-        if (std::popcount(axes[i]) > 1 && (axes[i] & axesWithout(tape, i).back()) == 0) return i;
+        if (std::popcount(axes[i]) > 1 && (axes[i] & axesWithout(tape, {&i, 1}).back()) == 0) return i;
     }
     return {};
 }

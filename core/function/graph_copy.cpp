@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/function/graph_copy.h"
 
+#include <array>
 #include <set>
 
 namespace isoscope {
@@ -43,6 +44,15 @@ Function freed(const Function& function, int slot, int index) {
 
 }  // namespace
 
+NodeId operationNode(FunctionGraph& graph, Operation operation, std::span<const NodeId> operands) {
+    switch (operands.size()) {
+        case 1: return graph.unary(operation, operands[0]);
+        case 2: return graph.binary(operation, operands[0], operands[1]);
+        case 3: return graph.ternary(operation, operands[0], operands[1], operands[2]);
+        default: return graph.quaternary(operation, operands[0], operands[1], operands[2], operands[3]);
+    }
+}
+
 std::vector<bool> neededNodes(const FunctionGraph& graph, NodeId result) {
     std::vector<bool> needed(graph.size(), false);
     needed[result] = true;
@@ -82,14 +92,10 @@ NodeId GraphCopy::into(FunctionGraph& graph, const Function& function, std::size
             }
             default: break;
         }
-        switch (arity(node.operation)) {
-            case 1: copy[id] = graph.unary(node.operation, operand(0)); break;
-            case 2: copy[id] = graph.binary(node.operation, operand(0), operand(1)); break;
-            case 3: copy[id] = graph.ternary(node.operation, operand(0), operand(1), operand(2)); break;
-            default:
-                copy[id] = graph.quaternary(node.operation, operand(0), operand(1), operand(2), operand(3));
-                break;
-        }
+        std::array<NodeId, 4> operands{};
+        const auto count = static_cast<std::size_t>(arity(node.operation));
+        for (std::size_t k = 0; k < count; ++k) operands[k] = copy[node.operands[k]];
+        copy[id] = operationNode(graph, node.operation, std::span(operands).first(count));
     }
     return graph.overflowed() ? static_cast<NodeId>(graph.size() - 1) : copy[last];
 }

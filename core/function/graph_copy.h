@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/function/function_graph.h"
@@ -21,6 +22,9 @@ struct GraphCopy {
     /// The copy of result number `result`; the last node of an overflowed graph.
     NodeId into(FunctionGraph& graph, const Function& source, std::size_t result = 0) const;
 };
+
+/// The operation on as many operands as it takes (arity()). Not for leaves, crackle and loops.
+NodeId operationNode(FunctionGraph& graph, Operation operation, std::span<const NodeId> operands);
 
 /// Which nodes a result needs, itself included, by their numbers.
 std::vector<bool> neededNodes(const FunctionGraph& graph, NodeId result);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <span>
 
+#include "core/function/graph_copy.h"
+
 namespace isoscope {
 
 namespace {
@@ -151,13 +153,10 @@ void TapeCompiler::copyUniform(FunctionGraph& target, NodeId id, std::vector<Nod
         }
         default: break;
     }
-    switch (arity(node.operation)) {
-        case 1: copies[id] = target.unary(node.operation, operand(0)); break;
-        case 2: copies[id] = target.binary(node.operation, operand(0), operand(1)); break;
-        case 3: copies[id] = target.ternary(node.operation, operand(0), operand(1), operand(2)); break;
-        default:
-            copies[id] = target.quaternary(node.operation, operand(0), operand(1), operand(2), operand(3));
-    }
+    std::array<NodeId, 4> operands{};
+    const auto count = static_cast<std::size_t>(arity(node.operation));
+    for (std::size_t k = 0; k < count; ++k) operands[k] = operand(k);
+    copies[id] = operationNode(target, node.operation, std::span(operands).first(count));
 }
 
 void TapeCompiler::measureSlotNeeds() {

@@ -5,8 +5,20 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace isoscope {
+
+namespace {
+
+/// Of direction . p over a box.
+SlopeRange rangeAlong(const glm::dvec3& direction, const GradientBox& box) {
+    SlopeRange range;
+    for (int k = 0; k < 3; ++k) range = range + direction[k] * SlopeRange{box.low[k], box.high[k]};
+    return range;
+}
+
+}  // namespace
 
 double GradientBox::width() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
 
@@ -38,9 +50,23 @@ GradientDomain::GradientDomain(const Container& container) {
         empty_ = empty_ || !(std::abs(box_.low[k]) < 1e150) || !(std::abs(box_.high[k]) < 1e150);
 }
 
+GradientDomain::GradientDomain(const ContainerBox& box, std::vector<Strip> strips) : GradientDomain(box) {
+    strips_ = std::move(strips);
+}
+
+GradientDomain GradientDomain::flattened(int axis) const {
+    GradientDomain result = *this;
+    result.box_.low[axis] = result.box_.high[axis] = box_.center()[axis];
+    return result;
+}
+
 bool GradientDomain::contains(const glm::dvec3& p) const {
     for (int k = 0; k < 3; ++k)
         if (!(p[k] >= box_.low[k] && p[k] <= box_.high[k])) return false;
+    for (const Strip& strip : strips_) {
+        const SlopeRange at = rangeAlong(strip.direction, {p, p});
+        if (at.low < strip.low || at.high > strip.high) return false;
+    }
     if (!isBall_) return true;
     double distance = 0;
     for (int k = 0; k < 3; ++k) {
@@ -51,6 +77,10 @@ bool GradientDomain::contains(const glm::dvec3& p) const {
 }
 
 bool GradientDomain::misses(const GradientBox& box) const {
+    for (const Strip& strip : strips_) {
+        const SlopeRange across = rangeAlong(strip.direction, box);
+        if (across.high < strip.low || across.low > strip.high) return true;
+    }
     if (!isBall_) return false;
     double distance = 0;
     for (int k = 0; k < 3; ++k) {
@@ -62,6 +92,10 @@ bool GradientDomain::misses(const GradientBox& box) const {
 }
 
 bool GradientDomain::encloses(const GradientBox& box) const {
+    for (const Strip& strip : strips_) {
+        const SlopeRange across = rangeAlong(strip.direction, box);
+        if (across.low < strip.low || across.high > strip.high) return false;
+    }
     if (!isBall_) return true;
     glm::dvec3 corner;
     for (int k = 0; k < 3; ++k)
@@ -70,7 +104,20 @@ bool GradientDomain::encloses(const GradientBox& box) const {
 }
 
 glm::dvec3 GradientDomain::nearest(const glm::dvec3& point) const {
-    if (!isBall_) return glm::clamp(point, box_.low, box_.high);
+    if (!isBall_) {
+        constexpr int rounds = 16;  // which end once no wall is in the way
+        glm::dvec3 place = glm::clamp(point, box_.low, box_.high);
+        for (int round = 0; round < rounds && !strips_.empty(); ++round) {
+            const glm::dvec3 last = place;
+            for (const Strip& strip : strips_) {
+                const double along = glm::dot(strip.direction, place);
+                place += (std::clamp(along, strip.low, strip.high) - along) * strip.direction;
+            }
+            place = glm::clamp(place, box_.low, box_.high);
+            if (place == last) break;
+        }
+        return place;
+    }
     const glm::dvec3 way = point - center_;
     const double distance = glm::length(way), reach = radius_ * (1 - 1e-15);
     return distance <= reach ? point : center_ + way * (reach / distance);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "core/numeric/interval.h"
 #include "core/numeric/slope_range.h"
@@ -25,10 +26,21 @@ struct GradientBox {
 };
 
 /// The container of an isosurface as a gradient study sees it: a box, and a ball in it when the container is
-/// a sphere. Corners in any order; what is not finite is an empty domain.
+/// a sphere, or what strips leave of it. Corners in any order; what is not finite is an empty domain.
 class GradientDomain {
   public:
+    /// The points p with low <= direction . p <= high; a direction is a unit vector or nearly.
+    struct Strip {
+        glm::dvec3 direction;
+        double low, high;
+    };
+
     explicit GradientDomain(const Container& container);
+    /// What is in the box and in each of the strips.
+    GradientDomain(const ContainerBox& box, std::vector<Strip> strips);
+
+    /// The part of it in the plane across an axis through the middle of its box.
+    GradientDomain flattened(int axis) const;
 
     /// The container's box; for a ball the box around it, rounded outwards. Meaningless for an empty domain.
     const GradientBox& box() const { return box_; }
@@ -52,6 +64,7 @@ class GradientDomain {
 
   private:
     GradientBox box_;
+    std::vector<Strip> strips_;
     glm::dvec3 center_{0};
     double radius_ = 0;
     bool isBall_ = false;

@@ -98,9 +98,12 @@ void GradientStudy::climb(glm::dvec3 from) {
 
 double GradientStudy::steepestAround(const glm::dvec3& place, double distance) {
     static const std::vector<glm::dvec3> all = directions();
+    // Of a flat domain all but those along it lead out.
+    const glm::dvec3 extent = domain_.box().high - domain_.box().low;
+    const glm::dvec3 along(extent.x > 0 ? 1 : 0, extent.y > 0 ? 1 : 0, extent.z > 0 ? 1 : 0);
     double steepest = 0;
     for (const glm::dvec3& direction : all) {
-        const glm::dvec3 p = place + distance * direction;
+        const glm::dvec3 p = place + distance * glm::normalize(direction * along);
         if (!domain_.contains(p)) continue;
         const double length = steepnessAt(p);
         if (length > steepest &&

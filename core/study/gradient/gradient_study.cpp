@@ -66,8 +66,48 @@ GradientStudy::GradientStudy(std::shared_ptr<const Tape> tape, std::span<const d
 GradientStudy::GradientStudy(const std::shared_ptr<const PreparedFunction>& function,
                              const Container& container, GradientStudySettings settings)
     : domain_(container), settings_(settings), workers_(threadsFor(*function, settings.threads)) {
+    if (std::optional<RidgeFunction> found = RidgeFunction::of(*function, container)) {
+        ridge_ = std::make_unique<Ridge>(std::move(*found), function, container);
+        domain_ = ridge_->searched.domain;
+    }
+    const auto& searched = ridge_ ? ridge_->searched.function : function;
     for (int k = 0; k < workers_.threads(); ++k)
-        examiners_.push_back(std::make_unique<BoxExaminer>(function, domain_, leftOut_));
+        examiners_.push_back(std::make_unique<BoxExaminer>(searched, domain_, leftOut_));
+}
+
+GradientStudy::Ridge::Ridge(RidgeFunction found, const std::shared_ptr<const PreparedFunction>& function,
+                            const Container& around)
+    : searched(std::move(found)), container(around), examiner(function, container, nothing) {}
+
+void GradientStudy::Ridge::tell(const GradientBracket& found) {
+    const auto above = [&](double bound) { return raised(raised(1 + searched.slack) * bound); };
+    const auto inSpace = [&](const glm::dvec3& place) { return searched.placeOf(place, container); };
+    // The arguments of a steep place may be those of one just outside the container.
+    const auto proveSlope = [&](SteepPlace& best, double lower, const glm::dvec3& place, bool beside) {
+        if (!(lower > best.length)) return;
+        BoxQuestion question;
+        question.steepest = best.length;
+        question.beside = beside;
+        examiner.ask(question);
+        examiner.offerPoint(inSpace(place));
+        if (examiner.steepest().length > best.length) best = examiner.steepest();
+    };
+    bracket = found;
+    bracket.upper = above(found.upper);
+    if (found.state == GradientState::unbounded) {
+        bracket.place = inSpace(found.place);
+    } else {
+        proveSlope(steepest, found.lower, found.place, false);
+        bracket.lower = steepest.length;
+        bracket.place = steepest.place;
+    }
+    if (bracket.singularity) bracket.singularity->place = inSpace(found.singularity->place);
+    if (!bracket.beside) return;
+    GradientBeside& beside = *bracket.beside;
+    beside.upper = above(beside.upper);
+    proveSlope(steepestBeside, beside.lower, beside.place, true);
+    beside.lower = steepestBeside.length;
+    beside.place = steepestBeside.place;
 }
 
 const GradientBracket& GradientStudy::run(std::stop_token stop) {
@@ -205,11 +245,13 @@ void GradientStudy::leaveOut(const GradientBox& box, GradientHazard hazard) {
 }
 
 void GradientStudy::publish() {
-    if (!beside_) return;
-    const double reach = leftOut_.empty() ? 0 : leftOut_.width();
-    whole_.beside = GradientBeside{bracket_.lower, bracket_.upper, bracket_.place,
-                                   bracket_.state, reach,          leftOut_.share()};
-    whole_.boxes = evaluations();
+    if (beside_) {
+        const double reach = leftOut_.empty() ? 0 : leftOut_.width();
+        whole_.beside = GradientBeside{bracket_.lower, bracket_.upper, bracket_.place,
+                                       bracket_.state, reach,          leftOut_.share()};
+        whole_.boxes = evaluations();
+    }
+    if (ridge_) ridge_->tell(beside_ ? whole_ : bracket_);
 }
 
 void GradientStudy::setSingular(GradientHazard kind, const glm::dvec3& place) {

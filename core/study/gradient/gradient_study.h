@@ -15,6 +15,7 @@
 #include "core/study/gradient/gradient_bracket.h"
 #include "core/study/gradient/gradient_domain.h"
 #include "core/study/gradient/left_out_cells.h"
+#include "core/study/gradient/ridge_function.h"
 
 namespace isoscope {
 
@@ -41,6 +42,8 @@ struct GradientStudySettings {
 /// by slopes that keep growing as the place is approached. Once one is found, what is left of the boxes goes
 /// to the bound beside such places (GradientBeside).
 ///
+/// A function that is the same along lines or planes is searched across them, as a RidgeFunction.
+///
 /// What is bounded is the function as IntervalGradientEvaluator understands it. The study shares its boxes
 /// out to threads of its own; it is not to be called by several at once.
 class GradientStudy {
@@ -58,7 +61,10 @@ class GradientStudy {
     const GradientBracket& run(std::stop_token stop = {});
 
     /// Narrows with every step and never widens.
-    const GradientBracket& bracket() const { return beside_ ? whole_ : bracket_; }
+    const GradientBracket& bracket() const {
+        if (ridge_) return ridge_->bracket;
+        return beside_ ? whole_ : bracket_;
+    }
     /// The steepest gradient met at points, proven or not: what sampling alone would say.
     double sampled() const { return sampled_; }
 
@@ -91,6 +97,22 @@ class GradientStudy {
         GradientHazard hazard;
         BoxQuestion question;
         double* done;  ///< hears whether it is done with; null for none
+    };
+
+    /// What is searched in place of the function, and what this says of it: all but this works with the
+    /// arguments of a RidgeFunction for coordinates.
+    struct Ridge {
+        RidgeFunction searched;
+        GradientDomain container;
+        LeftOutCells nothing;
+        BoxExaminer examiner;  ///< of the function as it is, for slopes at places
+        SteepPlace steepest, steepestBeside;
+        GradientBracket bracket;  ///< of the function
+
+        Ridge(RidgeFunction found, const std::shared_ptr<const PreparedFunction>& function,
+              const Container& around);
+        /// Takes over what is known by now. A slope counts where it is proven of the function as it is.
+        void tell(const GradientBracket& found);
     };
 
     void work(const std::stop_token& stop);
@@ -134,6 +156,7 @@ class GradientStudy {
     bool isNarrow() const;
     double target() const;  ///< what a bound need not be below
 
+    std::unique_ptr<Ridge> ridge_;  ///< null for a function searched as it is
     GradientDomain domain_;
     GradientStudySettings settings_;
     LeftOutCells leftOut_;
