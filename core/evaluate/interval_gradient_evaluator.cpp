@@ -13,6 +13,7 @@
 #include "core/evaluate/tape/loop_range.h"
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/evaluate/tape/tape_axes.h"
+#include "core/evaluate/univariate_parts.h"
 
 namespace isoscope {
 
@@ -187,6 +188,27 @@ const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Inte
     return answer;
 }
 
+IntervalGradientEvaluator::IntervalGradientEvaluator(IntervalGradientEvaluator&& other) noexcept = default;
+IntervalGradientEvaluator::~IntervalGradientEvaluator() = default;
+
+bool IntervalGradientEvaluator::hasFiner() {
+    if (!parts_) {
+        std::vector<double> uniforms;
+        for (std::uint32_t k = 0; k < tape_->uniformCount(); ++k)
+            uniforms.push_back(slots_[tape_->firstUniform() + k].value.low);
+        parts_ = std::make_unique<UnivariateParts>(*tape_, uniforms);
+    }
+    return parts_->count() > 0;
+}
+
+const IntervalGradient& IntervalGradientEvaluator::evaluateFinely(std::span<const Interval, 3> box) {
+    finely_ = hasFiner();
+    evaluations_ += 2 * parts_->count();
+    const IntervalGradient& answer = evaluate(box);
+    finely_ = false;
+    return answer;
+}
+
 const IntervalGradient& IntervalGradientEvaluator::evaluateSlopes(std::span<const Interval, 3> point) {
     bends_ = false;
     const IntervalGradient& answer = evaluate(point);
@@ -229,6 +251,7 @@ const IntervalGradient& IntervalGradientEvaluator::evaluateFolded(std::span<cons
 bool IntervalGradientEvaluator::run(double loopAllowance) {
     constexpr unsigned pace = 64;
     const auto& instructions = tape_->instructions();
+    if (finely_) parts_->begin(slots_);
     for (std::size_t i = 0; i < instructions.size(); ++i) {
         if (++steps_ % pace == 0 && LoopStop::requested()) return false;
         IntervalGradient& target = slots_[instructions[i].target];
@@ -244,6 +267,7 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
             target = execute(instructions[i], i, loopAllowance);
             lastFold_ = {target.value, target.steepness, std::countr_zero(target.axes)};
         }
+        if (finely_) parts_->note(i, target);
     }
     return true;
 }

@@ -58,6 +58,7 @@ constexpr Interval unit{-1, 1, false};
 /// What a function must obey on a box; counts what could be checked.
 struct Checks {
     int values = 0, climbs = 0, slopes = 0, bends = 0;
+    int finer = 0;  ///< boxes of which UnivariateParts know more
 };
 
 /// Empty when `answer` holds for the function at the two points, else what does not.
@@ -124,6 +125,27 @@ Function randomNorm(std::mt19937_64& random) {
     });
 }
 
+/// Of one operand, which is a form or a product, and beside it of the coordinates.
+Function randomRidge(std::mt19937_64& random) {
+    const auto number = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    return functionOf([&](auto x, auto y, auto z) {
+        const auto u = random() % 3 == 0 ? number(-1, 1) * x * y + z
+                                         : number(-2, 2) * x + number(-2, 2) * y + number(-1, 1) * z;
+        auto value = u;
+        for (int k = 2 + static_cast<int>(random() % 3); k > 0; --k) {
+            using enum Operation;
+            const Operation some[] = {sine,   exponential, hyperbolicTangent, arcTangent, areaSine,
+                                      square, cosine,      absolute};
+            value = apply(some[random() % std::size(some)], number(-2, 2) * value + number(-1, 1));
+            if (random() % 3 == 0) value = value * u;
+            if (random() % 4 == 0) value = 1 / (1.5 + sq(value));
+        }
+        return random() % 2 == 0 ? value : value + x * sin(y) * number(-1, 1);
+    });
+}
+
 class IntervalGradientEvaluatorTest : public QObject {
     Q_OBJECT
 
@@ -149,10 +171,15 @@ class IntervalGradientEvaluatorTest : public QObject {
             GradientEvaluator gradient(tape, parameters);
             for (int tries = 0; tries < 3; ++tries) {
                 const Box box = boxAround(random, 3, -5, 0.3);
-                const IntervalGradient answer = evaluator.evaluate(box);
+                const IntervalGradient answer = evaluator.evaluate(box),
+                                       finer = evaluator.evaluateFinely(box);
+                checks.finer += finer.steepness < answer.steepness ? 1 : 0;
                 for (int pair = 0; pair < 6; ++pair) {
                     const Point p = inside(random, box), q = inside(random, box);
-                    const QString wrong = contradiction(answer, reference, gradient, p, q, checks);
+                    QString wrong = contradiction(answer, reference, gradient, p, q, checks);
+                    Checks others;
+                    if (wrong.isEmpty()) wrong = contradiction(finer, reference, gradient, p, q, others);
+                    if (!(finer.steepness <= answer.steepness)) wrong = "finer";
                     if (wrong.isEmpty()) continue;
                     qCritical("%s is wrong at %a %a %a in [%a,%a]x[%a,%a]x[%a,%a] for\n%s", qPrintable(wrong),
                               p[0], p[1], p[2], box[0].low, box[0].high, box[1].low, box[1].high, box[2].low,
@@ -184,6 +211,64 @@ class IntervalGradientEvaluatorTest : public QObject {
             power,   arcTangent2, hyperbolicTangent, arcSine,     areaTangent, areaCosine, hyperbolicCosine};
         const Checks checks = holdFor(smooth, 3000, seed + 1);
         QVERIFY2(checks.bends > 10000, qPrintable(QString::number(checks.bends)));
+    }
+
+    void functionsOfOneOperandStayWithinFinerBounds() {
+        const Checks checks = holdForAll(20000, seed + 12, randomRidge);
+        QVERIFY2(checks.slopes > 200000 && checks.bends > 100000 && checks.finer > 20000,
+                 qPrintable(QString::number(checks.finer)));
+    }
+
+    /// A sigmoid is no steeper than a quarter, and bends by 1/(6 sqrt 3) at most; by its operations alone it
+    /// seemed steeper than 20 over this box.
+    void aSigmoidIsKnownFinely() {
+        const Function sigmoid =
+            functionOf([](auto x, auto y, auto z) { return 1 / (1 + exp(-(x + y + z))); });
+        IntervalGradientEvaluator evaluator(Tape::compile(sigmoid), {});
+        QVERIFY(evaluator.hasFiner());
+        const IntervalGradient coarse = evaluator.evaluate(Box{unit, unit, unit});
+        const IntervalGradient fine = evaluator.evaluateFinely(Box{unit, unit, unit});
+        const double steepest = std::sqrt(3.0) / 4, bent = 1 / (6 * std::sqrt(3.0));
+        QVERIFY(coarse.steepness > 50 * steepest);
+        QVERIFY(fine.steepness >= steepest && fine.steepness < 2.5 * steepest);
+        const Interval part{-0.25, 0.25, false};
+        QVERIFY(evaluator.evaluate(Box{part, part, part}).steepness > 3 * steepest);
+        const IntervalGradient near = evaluator.evaluateFinely(Box{part, part, part});
+        QVERIFY(near.steepness >= steepest && near.steepness < 1.06 * steepest);
+        QVERIFY(near.slope[0].low > 0 && near.slope[0].high < 1.06 * 0.25);
+        QVERIFY(near.bend[0].size() < 3 * bent);
+        // Nothing is kept of the box.
+        QCOMPARE(evaluator.evaluate(Box{unit, unit, unit}).steepness, coarse.steepness);
+    }
+
+    void whatHasNoPartsHasNothingFiner() {
+        const auto hasFiner = [](auto make) {
+            return IntervalGradientEvaluator(Tape::compile(functionOf(make)), {}).hasFiner();
+        };
+        QVERIFY(!hasFiner([](auto x, auto y, auto z) { return x * y + z; }));
+        QVERIFY(!hasFiner([](auto x, auto y, auto z) { return sin(x + y) + z; }));
+        // A length has its slope of its own, and one operation beside it is known exactly.
+        QVERIFY(!hasFiner([](auto x, auto y, auto z) { return sin(sqrt(sq(x) + sq(y) + sq(z))); }));
+        QVERIFY(hasFiner([](auto x, auto y, auto z) { return sq(sin(x * y)) + z; }));
+        QVERIFY(hasFiner([](auto x, auto y, auto z) { return sq(sin(x)) * y + z; }));
+    }
+
+    /// The second derivatives of these have their turns; a product of ranges seemed 5 times as large.
+    void bendsOfFlatteningFunctionsAreSharp() {
+        using enum Operation;
+        const struct {
+            Operation operation;
+            double steepest, bent;
+        } rows[] = {{hyperbolicTangent, 1, 4 / (3 * std::sqrt(3.0))},
+                    {arcTangent, 1, 3 * std::sqrt(3.0) / 8},
+                    {areaSine, 1, 2 / (3 * std::sqrt(3.0))}};
+        const Box box{Interval{-2, 3, false}, unit, unit};
+        for (const auto& row : rows) {
+            const IntervalGradient a = over([&](auto x, auto, auto) { return apply(row.operation, x); }, box);
+            QVERIFY(a.steepness >= row.steepest && a.steepness < row.steepest * (1 + 1e-12));
+            QVERIFY(a.bend[0].high >= row.bent && a.bend[0].high < row.bent * (1 + 1e-12));
+            QVERIFY(a.bend[0].low <= -row.bent && a.bend[0].low > -row.bent * (1 + 1e-12));
+        }
     }
 
     void rootsOfSumsOfPowersStayWithinTheirBounds() {

@@ -216,6 +216,32 @@ class GradientStudyTest : public QObject {
         }
     }
 
+    /// By their operations one by one a million boxes left these 25 to 50 % wide.
+    void sharpBendsOfOneOperandAreKnownFinely() {
+        const struct {
+            const char* body;
+            std::uint64_t most;
+        } rows[] = {{"1/(1+exp(-6*(x+y+z)))+0.1*sin(x)*y", 250'000},
+                    {"pow(sin(3*(x+2*y-z)),3)+0.2*sin(2*x)*y", 320'000},
+                    {"tanh(10*(sqrt(x*x+y*y+z*z)-1))+0.1*x", 100},
+                    {"1/(1+exp(-20*x))+y*z", 1'000}};
+        std::mt19937_64 random(seed + 8);
+        std::uniform_real_distribution<double> coordinate(-1.5, 1.5);
+        for (const auto& [body, most] : rows) {
+            const StudiedFunction f(body);
+            const GradientBracket b =
+                GradientStudy(f.tape, f.parameters, ContainerBox{glm::dvec3(-1.5), glm::dvec3(1.5)}).run();
+            QVERIFY2(b.state == GradientState::tight && b.relativeWidth() <= 0.01, body);
+            QVERIFY2(b.boxes <= most, qPrintable(QString("%1: %2").arg(body).arg(b.boxes)));
+            GradientEvaluator gradients(PreparedFunction::of(f.tape, f.parameters));
+            for (int k = 0; k < 20'000; ++k) {
+                const auto g =
+                    gradients.evaluate(coordinate(random), coordinate(random), coordinate(random)).gradient;
+                QVERIFY2(std::hypot(g[0], g[1], g[2]) <= b.upper * (1 + 1e-9), body);
+            }
+        }
+    }
+
     void whatIsSteepestAtItsCornerIsFoundInfinite() {
         for (const char* body : {"f_spiral1(x,y,z)", "f_spiral2(x,y,z)"}) {
             const GradientBracket b = bracketOf(body, unitBox, {0.1, 12'000});

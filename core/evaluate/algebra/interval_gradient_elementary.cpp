@@ -20,6 +20,20 @@ Derivatives derivatives(const Interval& first, const Interval& second) {
     return {rangeOf(first), second.empty() ? SlopeRange::within(unlimited) : rangeOf(second)};
 }
 
+/// Of an expression that rises or falls everywhere but at -turn and turn, which are a rounding beside their
+/// doubles at most: from its values there and at the ends, where that says more than one over all.
+template <class Expression>
+Interval betweenTurns(const Interval& x, double turn, Expression at) {
+    const Interval whole = at(x);
+    if (!std::isfinite(x.low) || !std::isfinite(x.high)) return whole;
+    Interval ends = hull(at(Interval::point(x.low)), at(Interval::point(x.high)));
+    for (const double center : {-turn, turn}) {
+        const Interval around{center - 1e-15, center + 1e-15, false};
+        if (x.low <= around.high && x.high >= around.low) ends = hull(ends, at(around));
+    }
+    return {std::max(whole.low, ends.low), std::min(whole.high, ends.high), whole.maybeUndefined};
+}
+
 IntervalGradient absoluteOf(const IntervalGradient& u) {
     if (u.value.empty() || u.value.low >= 0) return u;
     if (u.value.high <= 0) return scaled(u, -1);
@@ -85,12 +99,18 @@ IntervalGradient arcOf(const IntervalGradient& u, const Interval& value, double 
 IntervalGradient areaOf(Operation operation, const IntervalGradient& u) {
     const Interval& x = u.value;
     if (operation == Operation::hyperbolicTangent) {
-        const Interval value = tanh(x), first = (one - value) * (one + value);
-        return chain(u, value, derivatives(first, times(-2, value * first)), GradientHazard::overflow);
+        const auto firstAt = [](const Interval& value) { return (one - value) * (one + value); };
+        const Interval value = tanh(x);
+        const Interval first = betweenTurns(value, 0, firstAt);
+        const Interval second = betweenTurns(value, std::sqrt(1.0 / 3),
+                                             [&](const Interval& v) { return times(-2, v * firstAt(v)); });
+        return chain(u, value, derivatives(first, second), GradientHazard::overflow);
     }
     if (operation == Operation::areaSine) {
-        const Interval inside = one + square(x), first = one / sqrt(inside);
-        return chain(u, asinh(x), derivatives(first, -(x * first / inside)), GradientHazard::overflow);
+        const auto firstAt = [](const Interval& a) { return one / sqrt(one + square(a)); };
+        const Interval second = betweenTurns(
+            x, std::sqrt(0.5), [&](const Interval& a) { return -(a * firstAt(a) / (one + square(a))); });
+        return chain(u, asinh(x), derivatives(firstAt(x), second), GradientHazard::overflow);
     }
     if (operation == Operation::areaCosine) {
         const Interval inside = (x - one) * (x + one);
@@ -161,9 +181,10 @@ IntervalGradient elementary(Operation operation, const IntervalGradient& operand
         case Operation::arcSine: return arcOf(u, asin(x), 1);
         case Operation::arcCosine: return arcOf(u, acos(x), -1);
         case Operation::arcTangent: {
-            const Interval first = one / (one + square(x));
-            return chain(u, atan(x), derivatives(first, times(-2, x * square(first))),
-                         GradientHazard::overflow);
+            const auto firstAt = [](const Interval& a) { return one / (one + square(a)); };
+            const Interval second = betweenTurns(
+                x, std::sqrt(1.0 / 3), [&](const Interval& a) { return times(-2, a * square(firstAt(a))); });
+            return chain(u, atan(x), derivatives(firstAt(x), second), GradientHazard::overflow);
         }
         case Operation::hyperbolicSine:
             return chain(u, sinh(x), derivatives(cosh(x), sinh(x)), GradientHazard::overflow);

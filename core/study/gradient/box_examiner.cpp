@@ -34,6 +34,14 @@ std::array<Interval, 3> pointAt(const glm::dvec3& p) {
 
 }  // namespace
 
+std::size_t distanceClass(double bound, double target) {
+    constexpr int nearest = -10, farthest = 5;
+    static_assert(farthest - nearest + 1 == distanceClasses);
+    const double excess = (bound - target) / target;
+    if (!(excess < 0x1p5)) return farthest - nearest;
+    return static_cast<std::size_t>(std::ilogb(std::max(excess, 0x1p-10)) - nearest);
+}
+
 BoxExaminer::BoxExaminer(const std::shared_ptr<const PreparedFunction>& function,
                          const GradientDomain& domain, const LeftOutCells& leftOut)
     : domain_(domain), leftOut_(leftOut), intervals_(*function), gradients_(function), values_(function) {}
@@ -66,6 +74,8 @@ ExaminedBox BoxExaminer::examine(GradientBox box, double bound, const BoxQuestio
     answer.steepest = steepest_;
     answer.casesTried = casesTried_;
     answer.casesPaid = casesPaid_;
+    answer.finerClass = finerClass_;
+    answer.finerPaid = finerPaid_;
     return answer;
 }
 
@@ -84,6 +94,7 @@ void BoxExaminer::ask(const BoxQuestion& question) {
     question_ = question;
     steepest_ = {};
     casesTried_ = casesPaid_ = 0;
+    finerClass_.reset();
 }
 
 double BoxExaminer::target() const {
@@ -194,6 +205,7 @@ void BoxExaminer::useCurvature(GradientBox& box, const IntervalGradient& whole, 
 
     std::array<SlopeRange, 3> growth{};
     finding.bound = std::min(finding.bound, curvatureBound(domain_, box, p, whole, at, growth));
+    if (!whole.pieced) useFiner(box, p, at, finding, growth);
     finding.influence *= glm::dvec3(growth[0].size(), growth[1].size(), growth[2].size());
     if (whole.pieced) tryPieces(box, finding, choices);
     // Other points end what is known of the choices of the box.
@@ -201,6 +213,19 @@ void BoxExaminer::useCurvature(GradientBox& box, const IntervalGradient& whole, 
     offerSteepest(box, growth);
     // Where one piece takes over from another the length may fall.
     if (!whole.pieced) useMonotony(box, growth, finding);
+}
+
+/// The bound by enclosures that are worth their work where bends are known badly. `at`: of the point `p`.
+void BoxExaminer::useFiner(const GradientBox& box, const glm::dvec3& p, const IntervalGradient& at,
+                           BoxFinding& finding, std::array<SlopeRange, 3>& growth) {
+    if (finding.bound <= target()) return;
+    const std::size_t distance = distanceClass(finding.bound, target());
+    if ((question_.finerClasses >> distance & 1) == 0 || !intervals_.hasFiner()) return;
+    const IntervalGradient slopes = at;
+    const IntervalGradient finer = intervals_.evaluateFinely(box.intervals());
+    finding.bound = std::min(finding.bound, curvatureBound(domain_, box, p, finer, slopes, growth));
+    finerClass_ = distance;
+    finerPaid_ = finding.bound <= target();
 }
 
 /// Where there are no second derivatives: by those of a fold, and of the cases of choices.

@@ -24,13 +24,18 @@ struct SteepPlace {
 
 /// What a study knows when it asks about a box.
 struct BoxQuestion {
-    double steepest = 0;      ///< the length of a gradient that is attained
-    double target = 0;        ///< what a bound need not be below
-    double widening = 1;      ///< target / steepest, where that gradient decides
-    bool beside = false;      ///< whether jumps and what is left out are known
-    bool placesCount = true;  ///< whether steeper places are looked for
-    bool triesCases = true;   ///< whether the cases of open choices are worth their evaluations
+    double steepest = 0;               ///< the length of a gradient that is attained
+    double target = 0;                 ///< what a bound need not be below
+    double widening = 1;               ///< target / steepest, where that gradient decides
+    bool beside = false;               ///< whether jumps and what is left out are known
+    bool placesCount = true;           ///< whether steeper places are looked for
+    bool triesCases = true;            ///< whether the cases of open choices are worth their evaluations
+    std::uint32_t finerClasses = ~0U;  ///< bit k: whether finer enclosures are, of a box of distance class k
 };
+
+/// By powers of two of how far a bound is above the target; without a bound it is as far as can be.
+constexpr std::size_t distanceClasses = 16;
+std::size_t distanceClass(double bound, double target);
 
 /// What evaluations of a box, or of parts of it, say.
 struct BoxFinding {
@@ -53,6 +58,8 @@ struct ExaminedBox {
     std::optional<glm::dvec3> jump;  ///< a place where the value jumps; nothing else counts then
     SteepPlace steepest;             ///< the steepest place met that is steeper than asked
     unsigned casesTried = 0, casesPaid = 0;
+    std::optional<std::size_t> finerClass;  ///< the distance class of a box that was enclosed finely
+    bool finerPaid = false;                 ///< whether that was the end of it
 };
 
 /// What is proven of the gradient in single boxes, and of values at both sides of a place: the part of a
@@ -105,6 +112,8 @@ class BoxExaminer {
     void offerSteepest(const GradientBox& box, const std::array<SlopeRange, 3>& growth);
     BoxFinding find(GradientBox& box);
     void useCurvature(GradientBox& box, const IntervalGradient& whole, BoxFinding& finding);
+    void useFiner(const GradientBox& box, const glm::dvec3& p, const IntervalGradient& at,
+                  BoxFinding& finding, std::array<SlopeRange, 3>& growth);
     void useCases(const GradientBox& box, const IntervalGradient& whole, BoxFinding& finding);
     std::array<SlopeRange, 3> usePieces(const GradientBox& box, BoxFinding& finding, std::size_t choices);
     std::array<SlopeRange, 3> tryPieces(const GradientBox& box, BoxFinding& finding, std::size_t choices);
@@ -127,6 +136,8 @@ class BoxExaminer {
     BoxQuestion question_;
     SteepPlace steepest_;
     unsigned casesTried_ = 0, casesPaid_ = 0;
+    std::optional<std::size_t> finerClass_;
+    bool finerPaid_ = false;
 };
 
 }  // namespace isoscope

@@ -272,9 +272,11 @@ void GradientStudy::consider(const GradientBox& box, double bound, GradientHazar
 /// with.
 bool GradientStudy::adopt(const ExaminedBox& answer, GradientHazard hazard) {
     if (bracket_.state != GradientState::running) return true;
-    const auto& [state, box, bound, finding, jump, steepest, casesTried, casesPaid] = answer;
+    const auto& [state, box, bound, finding, jump, steepest, casesTried, casesPaid, finerClass, finerPaid] =
+        answer;
     accept(steepest);
     for (unsigned k = 0; k < casesTried; ++k) casesPay_.note(k < casesPaid);
+    if (finerClass) finerPays_[*finerClass].note(finerPaid);
     if (jump) {
         setSingular(GradientHazard::jump, *jump);
         return true;
@@ -299,12 +301,15 @@ bool GradientStudy::adopt(const ExaminedBox& answer, GradientHazard hazard) {
 }
 
 BoxQuestion GradientStudy::question() {
+    std::uint32_t finerClasses = 0;
+    for (std::size_t k = 0; k < distanceClasses; ++k) finerClasses |= finerPays_[k].tries() ? 1U << k : 0;
     return {.steepest = bracket_.lower,
             .target = target(),
             .widening = 1 + targetPart * settings_.relativeWidth,
             .beside = beside_,
             .placesCount = !beside_ || besideSampled_,
-            .triesCases = casesPay_.tries()};
+            .triesCases = casesPay_.tries(),
+            .finerClasses = finerClasses};
 }
 
 void GradientStudy::accept(const SteepPlace& found) {
@@ -334,15 +339,6 @@ GradientStudy::Region GradientStudy::regionOf(const GradientBox& box, double bou
     influence[region.axis] *= 0.5;
     region.nextAxis = axisToHalve(half, influence);
     return region;
-}
-
-/// By powers of two of what the bound is above the target; without a bound it is as far as can be.
-std::size_t GradientStudy::distanceClass(double bound) const {
-    constexpr int nearest = -10, farthest = 5;
-    static_assert(farthest - nearest + 1 == std::tuple_size_v<decltype(done_)>);
-    const double excess = (bound - target()) / target();
-    if (!(excess < 0x1p5)) return farthest - nearest;
-    return static_cast<std::size_t>(std::ilogb(std::max(excess, 0x1p-10)) - nearest);
 }
 
 /// Halves regions, or quarters them, and looks at the parts, each by the next thread that has time. What is
@@ -417,7 +413,7 @@ void GradientStudy::addParts(const Region& region, std::vector<Part>& parts) {
         return halves;
     };
     // Halves that are seldom done with are not worth being looked at before they are halved.
-    double& done = done_[distanceClass(region.bound)];
+    double& done = done_[distanceClass(region.bound, target())];
     const bool quarters = region.bound < infinite && region.nextAxis >= 0 &&
                           region.hazard == GradientHazard::none && done < 0.5 && ++quarters_ % 16 != 0;
     for (const GradientBox& half : halvesOf(region.box, region.axis)) {

@@ -42,6 +42,9 @@ struct GradientStudySettings {
 /// by slopes that keep growing as the place is approached. Once one is found, what is left of the boxes goes
 /// to the bound beside such places (GradientBeside).
 ///
+/// Where bends decide and are known badly, boxes are enclosed finely (UnivariateParts) as long as that often
+/// is the end of them.
+///
 /// A function that is the same along lines or planes is searched across them, as a RidgeFunction.
 ///
 /// What is bounded is the function as IntervalGradientEvaluator understands it. The study shares its boxes
@@ -72,8 +75,9 @@ class GradientStudy {
     /// Whether something is worth its evaluations, by how often it has lately been.
     class Trial {
       public:
-        /// Whether it is to be tried again: always while one in eight is a success, else one time in 16.
-        bool tries() { return share_ >= 0.125 || ++skipped_ % 16 == 0; }
+        /// Whether it is to be tried again: always while one in eight is a success, else one time in 16, or
+        /// in 128 where a success is rare.
+        bool tries() { return share_ >= 0.125 || ++skipped_ % (share_ >= 0.01 ? 16 : 128) == 0; }
         void note(bool success) { share_ += ((success ? 1 : 0) - share_) / 32; }
 
       private:
@@ -134,7 +138,6 @@ class GradientStudy {
     void consider(const GradientBox& box, double bound, GradientHazard hazard);
     bool adopt(const ExaminedBox& answer, GradientHazard hazard);
     static Region regionOf(const GradientBox& box, double bound, const BoxFinding& finding);
-    std::size_t distanceClass(double bound) const;
     void halve(std::span<const Region> regions, const std::stop_token& stop = {});
     void halve(const Region& region) { halve(std::span(&region, 1)); }
     bool isDivisible(const Region& region);
@@ -182,8 +185,10 @@ class GradientStudy {
     std::uint64_t queuedJumps_ = 0;  ///< regions of the queue that may hold a jump
     int probes_ = 0;
     Trial casesPay_;
+    std::array<Trial, distanceClasses> finerPays_;  ///< by how far the bound is from the target
     unsigned quarters_ = 0;
-    std::array<double, 16> done_{};  ///< share of halves that are done with, by how far the whole is from it
+    std::array<double, distanceClasses>
+        done_{};  ///< share of halves that are done with, by how far the whole is from it
     std::vector<glm::dvec3> summits_;  ///< where the climbs ended
 };
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/evaluate/tape/tape_axes.h"
+#include "core/evaluate/tape/tape_function.h"
 #include "core/function/graph_builder.h"
-#include "core/function/graph_copy.h"
 
 namespace isoscope {
 
@@ -188,40 +188,26 @@ class Triangle {
 /// The function with the forms of the cut, which come behind its coordinates in the triangle, for the
 /// instructions.
 Function ridgeOf(const PreparedFunction& function, const RidgeCut& cut, const Triangle& triangle) {
-    const Tape& tape = *function.tape();
-    FunctionGraph graph;
-    const auto form = [&](std::size_t row) {
-        Expression value(graph, graph.constant(triangle.offset(row)));
-        for (std::size_t k = 0; k <= row; ++k)
-            value = value + triangle.entry(row, k) * Expression(graph, graph.variable(static_cast<int>(k)));
+    const auto form = [&](FunctionGraph& graph, int row) {
+        Expression value(graph, graph.constant(triangle.offset(static_cast<std::size_t>(row))));
+        for (int k = 0; k <= row; ++k)
+            value = value + triangle.entry(static_cast<std::size_t>(row), static_cast<std::size_t>(k)) *
+                                Expression(graph, graph.variable(k));
         return value.node();
     };
-    std::vector<NodeId> slots(tape.slotCount(), noNode);
-    std::size_t row = 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(tape.argumentCount()); ++k) {
-        if (k >= 3) slots[k] = graph.constant(0);
-        if (k < 3 && (cut.coordinates >> k & 1) != 0) slots[k] = form(row++);
-    }
-    for (std::size_t k = 0; k < function.uniforms().values.size(); ++k)
-        slots[tape.firstUniform() + k] = graph.constant(function.uniforms().values[k]);
-    for (std::size_t i = 0; i < tape.instructions().size(); ++i) {
-        const Instruction& instruction = tape.instructions()[i];
-        std::array<NodeId, 4> operands{};
-        for (std::size_t k = 0; k < instruction.operandCount; ++k)
-            operands[k] = slots[instruction.operands[k]];
-        const auto all = std::span(operands).first(instruction.operandCount);
-        NodeId& target = slots[instruction.target];
-        if (std::ranges::find(cut.instructions, i) != cut.instructions.end())
-            target = form(row++);
-        else if (std::ranges::find(all, noNode) != all.end())
-            target = noNode;  // of what the cut has replaced alone
-        else if (instruction.operation == Operation::crackle)
-            target = graph.crackle(tape.crackle(instruction.index), all[0], all[1], all[2]);
-        else
-            target = operationNode(graph, instruction.operation, all);
-    }
-    const NodeId result = slots[tape.results()[0]];
-    return finish(std::move(graph), {result}, 3);
+    TapeStandIns standIns;
+    standIns.coordinate = [&](FunctionGraph& graph, std::size_t axis) {
+        const unsigned bit = 1U << axis;
+        if ((cut.coordinates & bit) == 0) return noNode;
+        return form(graph, std::popcount(cut.coordinates & (bit - 1)));
+    };
+    standIns.instruction = [&](FunctionGraph& graph, std::size_t i) {
+        const auto found = std::ranges::find(cut.instructions, i);
+        if (found == cut.instructions.end()) return noNode;
+        return form(graph,
+                    std::popcount(cut.coordinates) + static_cast<int>(found - cut.instructions.begin()));
+    };
+    return functionOf(*function.tape(), function.uniforms().values, standIns);
 }
 
 /// Where the lengths along the axes may be in all of a container.

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/evaluate/algebra/interval_gradient.h"
+#include "core/evaluate/tape/tape.h"
+
+namespace isoscope {
+
+class IntervalGradientEvaluator;
+
+/// The operands of a tape that are functions of one other operand alone, such as 1/(1 + exp(-6 u)) with
+/// u = x + y z. Interval arithmetic on each of their operations forgets that all of these have the same u;
+/// by the slopes of the whole, over parts of the range of u, it is known. The rest is the chain rule.
+class UnivariateParts {
+  public:
+    /// Of a tape with these values of its uniform slots. None for tapes with loops or of very many
+    /// instructions.
+    UnivariateParts(const Tape& tape, std::span<const double> uniforms);
+    ~UnivariateParts();
+
+    std::size_t count() const { return parts_.size(); }
+    /// To be told of the box: `slots` as they are before the first instruction, and after each.
+    void begin(std::span<const IntervalGradient> slots);
+    void note(std::size_t instruction, IntervalGradient& result);
+
+  private:
+    static constexpr std::size_t coordinateBases = 3;  ///< the first bases are the coordinates
+
+    struct Part {
+        std::size_t base;    ///< a coordinate, or coordinateBases + an instruction
+        std::size_t result;  ///< an instruction
+        std::unique_ptr<IntervalGradientEvaluator> function;  ///< of one argument
+        IntervalGradient from;                                ///< the base over the box
+    };
+
+    static void refine(Part& part, IntervalGradient& result);
+
+    std::vector<Part> parts_;
+};
+
+}  // namespace isoscope
