@@ -13,7 +13,7 @@
 #include "core/evaluate/tape/loop_range.h"
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/evaluate/tape/tape_axes.h"
-#include "core/evaluate/univariate_parts.h"
+#include "core/evaluate/algebra/univariate_parts.h"
 
 namespace isoscope {
 

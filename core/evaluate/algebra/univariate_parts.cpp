@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/univariate_parts.h"
+#include "core/evaluate/algebra/univariate_parts.h"
 
 #include <algorithm>
 #include <array>

@@ -22,6 +22,7 @@ class UnivariateParts {
     UnivariateParts(const Tape& tape, std::span<const double> uniforms);
     ~UnivariateParts();
 
+    /// How many there are; 0 where they say nothing that operations do not.
     std::size_t count() const { return parts_.size(); }
     /// To be told of the box: `slots` as they are before the first instruction, and after each.
     void begin(std::span<const IntervalGradient> slots);
