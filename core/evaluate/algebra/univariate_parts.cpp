@@ -23,9 +23,17 @@ constexpr std::size_t pieces = 8;
 using TapeNode = std::size_t;
 constexpr TapeNode nowhere = static_cast<TapeNode>(-1);
 
-/// What an operation alone makes of its operand bends less than its rules know: there is nothing to gain.
-bool isStraight(Operation operation) {
-    return operation == Operation::negate || operation == Operation::add || operation == Operation::subtract;
+/// Whether an operation makes of an operand beside uniform ones a linear function, of which rules know all.
+bool isStraight(const Tape& tape, const Instruction& instruction) {
+    switch (instruction.operation) {
+        case Operation::negate:
+        case Operation::add:
+        case Operation::subtract: return true;
+        case Operation::multiply:
+            return tape.isUniform(instruction.operands[0]) || tape.isUniform(instruction.operands[1]);
+        case Operation::divide: return tape.isUniform(instruction.operands[1]);
+        default: return false;
+    }
 }
 
 /// For each coordinate and instruction of a tape what is known of it as a function of one operand.
@@ -87,7 +95,7 @@ UnivariateParts::UnivariateParts(const Tape& tape, std::span<const double> unifo
         const TapeNode node = 3 + i, above = dominators.above(node);
         const bool isOwn = above == nowhere || instructions[i].operation == Operation::squareRoot;
         base[node] = isOwn ? node : base[above];
-        bent[node] = isOwn ? 0 : bent[above] + (isStraight(instructions[i].operation) ? 0 : 1);
+        bent[node] = isOwn ? 0 : bent[above] + (isStraight(tape, instructions[i]) ? 0 : 1);
     }
     // The last of each base: what is used by others, or is the result.
     std::vector<bool> isLast(base.size(), false);

@@ -81,7 +81,7 @@ class GradientStudy {
         void note(bool success) { share_ += ((success ? 1 : 0) - share_) / 32; }
 
       private:
-        double share_ = 1;
+        double share_ = 0.5;
         unsigned skipped_ = 0;
     };
     struct Region {
