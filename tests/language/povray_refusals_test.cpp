@@ -81,6 +81,18 @@ class PovrayRefusalsTest : public QObject {
                 light.scene->lights.at(0).kind == LightKind::parallel);
         const ParseResult flags = parseScene("sphere { 0, 1 hierarchy off split_union off sturm no_shadow }");
         QVERIFY(!flags.scene->objects.at(0).castsShadow);
+        const ParseResult shadow = parseScene("sphere { 0, 1 no_shadow no_shadow off }");
+        QVERIFY(shadow.scene->objects.at(0).castsShadow);
+        const ParseResult noise = parseScene(
+            "sphere { 0, 1 pigment { bozo noise_generator 7 } } sphere { 0, 1 pigment { bozo noise_generator "
+            "-2 } }");
+        const auto generator = [&](std::size_t object) {
+            const MaterialId material = noise.scene->objects.at(object).material;
+            const Pigment& pigment = noise.scene->materials.at(material).pigment;
+            return std::get<std::shared_ptr<const MappedPigment>>(pigment)->pattern.noiseGenerator;
+        };
+        QCOMPARE(generator(0), 3);
+        QCOMPARE(generator(1), 0);
     }
 
     void whatIsTooMuchOrMissingIsMendedByAClick() {

@@ -214,8 +214,7 @@ class SceneValuesTest : public QObject {
         row("sphere { 0, 1 no_reflection }", "reflected no, sphere in line 1");
         row("sphere { 0, 1 hollow }", "hollow yes, sphere in line 1");
         row("sphere { 0, 1 hollow off }", "sphere in line 1");
-        row("sphere { 0, 1 no_shadow off no_image off no_reflection off hollow on }",
-            "hollow yes, sphere in line 1");
+        row("sphere { 0, 1 no_image off no_reflection off hollow on }", "hollow yes, sphere in line 1");
         row("sphere { 0, 1 double_illuminate }", "both sides yes, sphere in line 1");
         row("object { torus { 1, 0.2 } no_radiosity on hierarchy off split_union off sturm no_shadow }",
             "shadow no, torus in line 1");

@@ -205,7 +205,7 @@ class StatementValuesTest : public QObject {
             "bozo, turbulence 0.3 0.3 0.3, octaves 4, lambda 2.5, omega 0.4");
         row("bozo turbulence <0.1, 0.2, 0.3> octaves 20", "bozo, turbulence 0.1 0.2 0.3, octaves 10");
         row("bozo octaves 0 noise_generator 3", "bozo, octaves 1, noise 3");
-        row("bozo frequency 3 phase 0.25 noise_generator 7", "bozo, frequency 3, phase 0.25, noise 3");
+        row("bozo frequency 3 phase 0.25 noise_generator 3", "bozo, frequency 3, phase 0.25, noise 3");
         row("bozo ramp_wave", "bozo, wave 0");
         row("bozo triangle_wave", "bozo, wave 1");
         row("bozo sine_wave", "bozo, wave 2");
@@ -303,6 +303,9 @@ class StatementValuesTest : public QObject {
         row("reflection { 0.9 falloff 3 fresnel on } reflection 0.25",
             "least reflection 0.25 0.25 0.25, most reflection 0.25 0.25 0.25");
         row("reflection { falloff 2 }", "falloff 2");
+        // As in POV-Ray, where nothing is written it is 0.
+        row("reflection 0.5 reflection", "");
+        row("ambient emission phong 0.3", "ambient 0 0 0, phong 0.3");
         row("reflection_exponent 2", "exponent 2");
         row("irid { 0.25 thickness 0.5 }", "irid 0.25, thickness 0.5");
         row("irid { 0.25 thickness 0.5 turbulence 0 }", "irid 0.25, thickness 0.5");
@@ -354,6 +357,17 @@ class StatementValuesTest : public QObject {
             const auto& normal = materialOf(parsed).normal;
             return normal ? description(*normal) : std::string("none");
         });
+    }
+
+    /// As in POV-Ray, the number behind the name takes the place of its own; it was an error here.
+    void aNumberBehindTheNameOfANormalIsItsAmount() {
+        for (const std::string text : {"normal { N 0.3 }", "normal { N, 0.3 scale 2 }"}) {
+            const ParseResult parsed = parseScene(
+                "#declare N = normal { bumps 0.5 }\nsphere { 0, 1 pigment { rgb 1 } " + text + " }");
+            QVERIFY2(parsed.ok(), test::problems(parsed).c_str());
+            QCOMPARE(materialOf(parsed).normal->amount, 0.3);
+            QVERIFY(materialOf(parsed).normal->kind == NormalKind::bumps);
+        }
     }
 
     /// A texture begins with what was declared as a part of one.

@@ -7,6 +7,7 @@
 #include "core/language/expressions/named_constants.h"
 #include "core/language/functions/function_caller.h"
 #include "core/language/tokens/nesting_guard.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
 #include "core/language/tokens/words.h"
 
@@ -123,6 +124,15 @@ bool ExpressionParser::atExpression() {
                std::holds_alternative<std::shared_ptr<ArrayValue>>(value->data);
     return isWordFor(WordUse::constant | WordUse::color, token.text) || FunctionCaller::knows(token.text) ||
            isCallableBuiltin(context(), token.text);
+}
+
+bool ExpressionParser::parseBareFlag(std::string_view flag) {
+    if (!atExpression()) return true;
+    const SourceRange start = tokens_.peek().range;
+    const bool on = parseBool();
+    warnOfSuperfluous(context(), rangeSince(start, tokens_),
+                      "takes no value behind `" + std::string(flag) + "`.");
+    return on;
 }
 
 bool ExpressionParser::parseDefined(const std::string& what) {

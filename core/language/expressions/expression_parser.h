@@ -38,6 +38,8 @@ class ExpressionParser {
     NumberValue parseNumber();
     double parseFloat() { return parseNumber().value; }
     bool parseBool() { return parseFloat() != 0; }
+    /// What stands behind a flag that takes no value in POV-Ray, which is warned of; true where nothing does.
+    bool parseBareFlag(std::string_view flag);
     /// A vector; a float stands for the same value on all axes.
     glm::dvec3 parseVector();
     /// `color`, `rgb`, `rgbf`, `rgbt`, `rgbft`, `red 1 green ...`, a declared colour, or a bare vector.

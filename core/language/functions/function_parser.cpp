@@ -10,6 +10,7 @@
 #include "core/language/objects/spline_parser.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/pattern_parser.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
@@ -103,11 +104,21 @@ bool FunctionParser::acceptableParameter(const Token& name) {
     return true;
 }
 
+FunctionValue FunctionParser::parseFormula() {
+    FunctionValue value = parse();
+    if (form_ && !failed_)
+        warnOfRefusal(context(), form_->range,
+                      "takes `" + std::string(form_->text) + "` in declared functions alone.",
+                      "declare the function, `#declare F = function { ... }`, and call it, `F(x, y, z)`");
+    return value;
+}
+
 FunctionValue FunctionParser::parseBody(std::vector<std::string> parameterNames, bool untilEnd) {
     const SourceRange opening = tokens_.lastRange();
     const std::uint32_t begin = untilEnd ? 0 : opening.end;
     bodyRange_ = untilEnd ? SourceRange{} : opening;
     failed_ = false;
+    form_.reset();
     FunctionValue value;
     value.parameterNames = parameterNames.empty() ? std::vector<std::string>{"x", "y", "z"} : parameterNames;
     const Token first = tokens_.peek();
@@ -119,7 +130,7 @@ FunctionValue FunctionParser::parseBody(std::vector<std::string> parameterNames,
                         "A function made of `" + word + "` takes no list of parameters.");
         failed_ = true;
     } else if (isForm) {
-        tokens_.next();
+        form_ = tokens_.next();
         parseForm(word, value);
     } else {
         FunctionScope scope(std::move(parameterNames));

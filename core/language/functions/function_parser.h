@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ class FunctionParser {
 
     /// The parameter list, if there is one, and the block; the word `function` has been read.
     FunctionValue parse();
+    /// The same where POV-Ray takes a formula alone; of a pattern, a pigment and the like is warned.
+    FunctionValue parseFormula();
     /// The body behind its `{`, with the `}` that ends it, or up to the end of the text for `untilEnd`.
     /// Empty names mean x, y, z.
     FunctionValue parseBody(std::vector<std::string> parameterNames, bool untilEnd = false);
@@ -43,6 +46,7 @@ class FunctionParser {
     TokenStream& tokens_;
     SourceRange bodyRange_;
     SourceRange startRange_;
+    std::optional<Token> form_;  ///< `pattern` and the like, with which the body begins
     bool failed_ = false;
 };
 

@@ -98,7 +98,7 @@ void IsosurfaceParser::parseFunction() {
         tokens_.context().warning("function-not-first", word,
                                   "POV-Ray wants `function` first in an `isosurface`.",
                                   "move it in front of the other items");
-    const FunctionValue value = functions.parse();
+    const FunctionValue value = functions.parseFormula();
     hasFunction_ = true;
     functionRange_ = functions.bodyRange();
     functionText_ = std::string(tokens_.context().sources.slice(functionRange_));

@@ -316,7 +316,7 @@ bool ObjectParser::parseFlag(Statement& statement) {
         return !expressions.atExpression() || expressions.parseBool();
     };
     if (tokens_.accept("no_shadow"))
-        description.castsShadow = !parseOn();
+        description.castsShadow = !ExpressionParser(tokens_).parseBareFlag("no_shadow");
     else if (tokens_.accept("no_image"))
         description.visible = !parseOn();
     else if (tokens_.accept("no_reflection"))
@@ -338,7 +338,7 @@ bool ObjectParser::parseFlag(Statement& statement) {
     } else if (tokens_.accept("global_lights"))
         description.globalLights = parseOn();
     else if (tokens_.accept("uv_mapping")) {
-        statement.onSurface = parseOn();
+        statement.onSurface = ExpressionParser(tokens_).parseBareFlag("uv_mapping");
         if (statement.onSurface && description.material)
             description.material = laidOnSurface(warped(*description.material, {}));
     } else if (tokens_.accept("cutaway_textures")) {
@@ -348,7 +348,7 @@ bool ObjectParser::parseFlag(Statement& statement) {
         if (!cuts)
             tokens_.context().error("unexpected-token", range,
                                     "`cutaway_textures` stands in an `intersection` or `difference` only.");
-        description.cutawayTextures = parseOn();
+        description.cutawayTextures = ExpressionParser(tokens_).parseBareFlag("cutaway_textures");
     } else
         return false;
     return true;

@@ -6,6 +6,7 @@
 
 #include "core/language/objects/object_description.h"
 #include "core/language/scene_draft.h"
+#include "core/language/tokens/povray_refusals.h"
 
 namespace isoscope {
 
@@ -31,13 +32,19 @@ void readObjects(WrappingReader& reader, Wrapping& wrapping, std::string_view ot
     TokenStream& tokens = reader.tokens;
     const std::string keyword(wrapping.modifier->keyword);
     if (!tokens.expect("{", "to begin `" + keyword + "`")) return;
-    if (tokens.accept(other))
+    const bool isSame = tokens.accept(other);
+    if (isSame)
         if (const Wrapping* named = reader.description.wrapping(other))
             wrapping.objects.insert(wrapping.objects.end(), named->objects.begin(), named->objects.end());
     while (const std::optional<ObjectPointer> object = reader.nextObject())
         if (*object) wrapping.objects.push_back({*object, {}});
     wrapping.on = !wrapping.objects.empty();
-    if (tokens.accept("}")) return;
+    if (tokens.accept("}")) {
+        if (!wrapping.on && !isSame)
+            warnOfRefusal(tokens.context(), tokens.lastRange(), "wants an object in `" + keyword + "`.",
+                          "leave the block out, or write a shape into it");
+        return;
+    }
     tokens.context().error(
         "unexpected-token", tokens.peek().range,
         "Expected an object or `}` in `" + keyword + "`, but found " + describe(tokens.peek()) + ".");

@@ -36,7 +36,7 @@ class ParametricReader {
             return {};
         }
         const SourceRange word = tokens_.lastRange();
-        FunctionValue value = FunctionParser(tokens_).parse();
+        FunctionValue value = FunctionParser(tokens_).parseFormula();
         tokens_.accept(",");
         if (!value.function.valid()) {
             reportLeftOut(tokens_.context(), word,

@@ -6,6 +6,7 @@
 
 #include "core/language/expressions/declared_value.h"
 #include "core/language/expressions/expression_parser.h"
+#include "core/language/tokens/block_words.h"
 #include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
 
@@ -168,7 +169,10 @@ void FinishParser::leaveOut(std::string_view word) {
     if (std::find(all.begin(), all.end(), word) == all.end()) all.emplace_back(word);
 }
 
+/// As in POV-Ray, 0 where the block ends or its next item begins.
 Color FinishParser::parseAmount() {
+    if (tokens_.peek().is("}") || std::ranges::count(wordsOfBlock("finish"), tokens_.peek().text) > 0)
+        return {};
     const SourceRange start = tokens_.peek().range;
     const std::optional<Value> value = ExpressionParser(tokens_).parseValue();
     if (!value) return {};

@@ -52,6 +52,10 @@ bool ImageMapParser::parseFile() {
     if (!parseKind()) return false;
     range_ = tokens_.peek().range;
     ExpressionParser expressions(tokens_);
+    if (tokens_.peek().is("}")) {
+        tokens_.context().error("no-file", range_, "Expected the name of a file here.");
+        return false;
+    }
     if (!expressions.atExpression()) {
         reportLeftOut(tokens_.context(), range_, "This image is not shown: only those from files are.");
         return false;

@@ -36,7 +36,11 @@ void NormalParser::start(const SurfaceNormal& normal) {
 
 NormalPointer NormalParser::parse(const NormalPointer& start) {
     if (start) this->start(*start);
+    const std::size_t known = tokens_.context().diagnostics.size();
     if (tokens_.expect("{", "to begin `normal`")) parseBody("}");
+    if (!start && (!normal_ || normal_->flat) && tokens_.context().diagnostics.size() == known)
+        warnOfRefusal(tokens_.context(), tokens_.lastRange(),
+                      "wants a pattern or a declared normal in a `normal`.", "write `bumps 0.5` into it");
     return result();
 }
 
@@ -86,6 +90,7 @@ bool NormalParser::parseItem() {
     };
     if (const std::optional<NormalPointer> declared = takeDeclared<NormalPointer>(tokens_)) {
         if (*declared) start(**declared);
+        parseAmount();
         return noted(ItemOrder::Item::name);
     }
     if (parsePattern()) return noted(ItemOrder::Item::start);
@@ -123,13 +128,18 @@ bool NormalParser::parsePattern() {
         closeMap("object");
         return true;
     }
-    ExpressionParser expressions(tokens_);
-    if (tokens_.accept(",") || expressions.atExpression()) {
-        normal_->amount = expressions.parseFloat();
-        if (tokens_.accept(",")) warnOfLastComma(tokens_);
-    }
+    parseAmount();
     reader_.parseInterpolation();
     return true;
+}
+
+/// The number that may stand behind a pattern or a name.
+void NormalParser::parseAmount() {
+    ExpressionParser expressions(tokens_);
+    if (!tokens_.accept(",") && !expressions.atExpression()) return;
+    const double amount = expressions.parseFloat();
+    settings().amount = amount;
+    if (tokens_.accept(",")) warnOfLastComma(tokens_);
 }
 
 void NormalParser::parseBumpMap() {
@@ -168,7 +178,6 @@ SurfaceNormal& NormalParser::patterned() {
 
 bool NormalParser::parseSetting() {
     ExpressionParser expressions(tokens_);
-    const auto on = [&] { return !expressions.atExpression() || expressions.parseBool(); };
     if (tokens_.accept("bump_size")) {
         const double amount = expressions.parseFloat();
         if (leftOut_.empty()) settings().amount = amount;
@@ -176,10 +185,10 @@ bool NormalParser::parseSetting() {
         const double accuracy = expressions.parseFloat();
         if (accuracy > 0) settings().accuracy = accuracy;
     } else if (tokens_.accept("no_bump_scale")) {
-        const bool off = on();
+        const bool off = expressions.parseBareFlag("no_bump_scale");
         settings().scaled = !off;
     } else if (tokens_.accept("uv_mapping")) {
-        const bool set = on();
+        const bool set = expressions.parseBareFlag("uv_mapping");
         settings().onSurface = set;
     } else {
         return false;

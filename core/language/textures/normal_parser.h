@@ -36,6 +36,7 @@ class NormalParser {
     void parseBody(std::string_view end);
     bool parseItem();
     bool parsePattern();
+    void parseAmount();
     SurfaceNormal& settings();
     SurfaceNormal& patterned();
     void parseBumpMap();

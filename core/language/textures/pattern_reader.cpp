@@ -160,7 +160,7 @@ bool PatternReader::parseMagnet() {
 }
 
 bool PatternReader::parseFunctionPattern() {
-    const FunctionValue value = FunctionParser(tokens_).parse();
+    const FunctionValue value = FunctionParser(tokens_).parseFormula();
     if (!value.function.valid()) return false;
     pattern.kind = PatternKind::function;
     pattern.function = value.function;
@@ -390,10 +390,19 @@ bool PatternReader::parseGeneralModifier(const Token& word) {
     else if (tokens_.accept("phase"))
         pattern.phase = expressions.parseFloat();
     else if (tokens_.accept("noise_generator"))
-        pattern.noiseGenerator = wholeNumber(expressions.parseFloat(), 0, 3);
+        parseNoiseGenerator();
     else
         return false;
     return word.kind == TokenKind::word;
+}
+
+void PatternReader::parseNoiseGenerator() {
+    const SourceRange start = tokens_.peek().range;
+    const double value = ExpressionParser(tokens_).parseFloat();
+    pattern.noiseGenerator = wholeNumber(value, 0, 3);
+    if (!(value > -1 && value < 4))
+        warnOfRefusal(tokens_.context(), rangeSince(start, tokens_), "wants 0 to 3 for a `noise_generator`.",
+                      "write 2");
 }
 
 bool PatternReader::parseModifier() {

@@ -31,6 +31,7 @@ class PatternReader {
     Pattern pattern;
 
   private:
+    void parseNoiseGenerator();
     bool parseSpecialName(const Token& name);
     void parseNameArguments();
     bool parseFractal(const Token& name);

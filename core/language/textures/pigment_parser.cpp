@@ -156,6 +156,7 @@ bool PigmentParser::startFromDeclared() {
     if (!declared) return false;
     start(*declared);
     fixed_ = onSurface_;
+    plain_ = !mapped_;
     return true;
 }
 
@@ -255,6 +256,7 @@ bool PigmentParser::parseColor() {
     mapped_.reset();
     leftOut_.clear();
     solid_ = {ExpressionParser(tokens_).parseColor(), {}};
+    plain_ = true;
     return true;
 }
 
@@ -285,6 +287,11 @@ bool PigmentParser::parseOther() {
     if (Transform ignored; fixed_ && TransformParser(tokens_).parseModifier(ignored)) return true;
     if (isMap(word.text)) {
         tokens_.next();
+        if (plain_ || isList())
+            warnOfRefusal(tokens_.context(), word.range,
+                          "takes no `" + std::string(word.text) + "` behind " +
+                              (plain_ ? "a colour." : "a pattern with a list."),
+                          "leave it out");
         if (!mapped_) mapped_.emplace();
         mapped_->entries.clear();
         ownEntries_ = true;
@@ -292,7 +299,7 @@ bool PigmentParser::parseOther() {
     }
     if (tokens_.accept("uv_mapping")) {
         ExpressionParser expressions(tokens_);
-        onSurface_ = atColor() || !expressions.atExpression() || expressions.parseBool();
+        onSurface_ = atColor() || expressions.parseBareFlag("uv_mapping");
         return true;
     }
     return reader_.parseModifier();

@@ -57,6 +57,7 @@ class PigmentParser {
     ItemOrder order_{"pigment"};
     std::string leftOut_;     ///< the pattern that is not simulated
     bool onSurface_ = false;  ///< `uv_mapping`
+    bool plain_ = false;      ///< begun from a colour, or a declared pigment of one
     bool fixed_ = false;      ///< begun from a declared pigment with `uv_mapping`
     bool failed_ = false;
 };

@@ -222,7 +222,7 @@ bool TextureParser::parseTextureItem(Material& material) {
     const Token word = tokens_.peek();
     if (word.is("uv_mapping") || word.is("no_bump_scale")) {
         tokens_.next();
-        const bool on = !ExpressionParser(tokens_).atExpression() || ExpressionParser(tokens_).parseBool();
+        const bool on = ExpressionParser(tokens_).parseBareFlag(word.text);
         (word.is("uv_mapping") ? onSurface_ : unscaledBumps_) = on;
         return true;
     }
@@ -338,7 +338,12 @@ void TextureParser::parseTextureMap() {
         mapped_->entries.push_back({position, std::move(entry)});
         if (!tokens_.charge(TokenStream::stepsPerItem, tokens_.lastRange())) return;
     }
-    if (tokens_.accept("}")) return;
+    if (tokens_.accept("}")) {
+        if (mapped_->entries.empty())
+            warnOfRefusal(tokens_.context(), tokens_.lastRange(), "wants an entry in a map.",
+                          "write `[0 pigment { rgb 0 }]` into it");
+        return;
+    }
     tokens_.context().error(
         "unexpected-token", tokens_.peek().range,
         "Expected `[` or `}` in `texture_map`, but found " + describe(tokens_.peek()) + ".");
