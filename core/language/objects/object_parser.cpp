@@ -298,6 +298,10 @@ bool ObjectParser::parseTexture(Statement& statement) {
     }
     if (statement.onSurface) description.material = laidOnSurface(warped(*description.material, {}));
     statement.textureRange = rangeSince(word.range, tokens_);
+    const NormalPointer& normal = description.material->normal;
+    if (normal && normal->flat && !word.is("pigment") && !word.is("finish"))
+        warnOfRefusal(tokens_.context(), statement.textureRange,
+                      "wants a pattern or a declared normal in a `normal`.", "write `bumps 0.5` into it");
     return true;
 }
 

@@ -36,11 +36,11 @@ void NormalParser::start(const SurfaceNormal& normal) {
 
 NormalPointer NormalParser::parse(const NormalPointer& start) {
     if (start) this->start(*start);
-    const std::size_t known = tokens_.context().diagnostics.size();
-    if (tokens_.expect("{", "to begin `normal`")) parseBody("}");
-    if (!start && (!normal_ || normal_->flat) && tokens_.context().diagnostics.size() == known)
-        warnOfRefusal(tokens_.context(), tokens_.lastRange(),
-                      "wants a pattern or a declared normal in a `normal`.", "write `bumps 0.5` into it");
+    if (tokens_.expect("{", "to begin `normal`")) {
+        parseBody("}");
+        // An empty one holds no more than settings, too.
+        if (!failed_) settings();
+    }
     return result();
 }
 
@@ -71,6 +71,7 @@ void NormalParser::parseBody(std::string_view end) {
     if (!guard.ok()) return tokens_.skipBlock();
     while (!tokens_.peek().is(end)) {
         if (parseItem()) continue;
+        failed_ = true;
         const Token token = tokens_.peek();
         if (token.kind == TokenKind::end) {
             tokens_.expect(end, "to close `normal`");
@@ -89,7 +90,10 @@ bool NormalParser::parseItem() {
         return true;
     };
     if (const std::optional<NormalPointer> declared = takeDeclared<NormalPointer>(tokens_)) {
-        if (*declared) start(**declared);
+        if (*declared)
+            start(**declared);
+        else
+            failed_ = true;
         parseAmount();
         return noted(ItemOrder::Item::name);
     }

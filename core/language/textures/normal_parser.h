@@ -53,6 +53,7 @@ class NormalParser {
     NormalPointer defaults_;
     std::optional<SurfaceNormal> normal_;
     bool ownEntries_ = false;
+    bool failed_ = false;  ///< whether something in the block was not understood
     ItemOrder order_{"normal"};
     std::vector<std::string> leftOut_;
 };
