@@ -80,7 +80,10 @@ GradientStudy::Ridge::Ridge(RidgeFunction found, const std::shared_ptr<const Pre
     : searched(std::move(found)), container(around), examiner(function, container, nothing) {}
 
 void GradientStudy::Ridge::tell(const GradientBracket& found) {
-    const auto above = [&](double bound) { return raised(raised(1 + searched.slack) * bound); };
+    // No slope at all is exactly none.
+    const auto above = [&](double bound) {
+        return bound > 0 ? raised(raised(1 + searched.slack) * bound) : 0;
+    };
     const auto inSpace = [&](const glm::dvec3& place) { return searched.placeOf(place, container); };
     // The arguments of a steep place may be those of one just outside the container.
     const auto proveSlope = [&](SteepPlace& best, double lower, const glm::dvec3& place, bool beside) {
@@ -250,6 +253,11 @@ void GradientStudy::publish() {
         whole_.beside = GradientBeside{bracket_.lower, bracket_.upper, bracket_.place,
                                        bracket_.state, reach,          leftOut_.share()};
         whole_.boxes = evaluations();
+        // What is attained beside some places is attained.
+        if (bracket_.lower > whole_.lower) {
+            whole_.lower = bracket_.lower;
+            whole_.place = bracket_.place;
+        }
     }
     if (ridge_) ridge_->tell(beside_ ? whole_ : bracket_);
 }
