@@ -106,6 +106,7 @@ class ExpressionParserTest : public QObject {
         row("pow(0, 1)", "0");
         row("pow(0, 0.5)", "0");
         row("sqrt(9)", "3");
+        row("sqrt(0)", "0");
         row("exp(0)", "1");
         row("ln(1)", "0");
         row("log(100)", "2");

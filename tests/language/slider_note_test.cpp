@@ -40,6 +40,7 @@ class SliderNoteTest : public QObject {
         row("[0.001:10 log]", "[0.001:10 log]");
         row("[0:1 locked decimals 2]", "[0:1 decimals 2 locked]");
         row("[0:9 decimals 0]", "[0:9 decimals 0]");
+        row("[0:9 decimals 15]", "[0:9 decimals 15]");
         row("[1:10:0.5 log decimals 3 locked] and words", "[1:10:0.5 log decimals 3 locked]");
     }
     void isReadAndWrittenTheSame() {
@@ -67,6 +68,7 @@ class SliderNoteTest : public QObject {
                                  "[-1:2 log]",
                                  "[0:2 lock]",
                                  "[0:2 decimals]",
+                                 "[0:2 decimals 16]",
                                  "[0:2 decimals 99]",
                                  "[0:2 logs]",
                                  "[nan:2]",

@@ -34,6 +34,8 @@ class ToldMistakesTest : public QObject {
             "A default texture cannot be made of other textures.");
         row("#declare T = texture { checker texture { } texture { } } #default { texture { T } }",
             "A default texture cannot be made of other textures.");
+        row("superellipsoid { <1, 0> }", "must be greater than 0.");
+        row("superellipsoid { <0, 1> }", "must be greater than 0.");
         row("#declare A what 5;\nsphere { A, 1 }", "Expected `=` behind the name in `#declare`");
         row("#declare A 5\nsphere { A, 1 }", "Expected `=` behind the name in `#declare`");
         row("#declare A = 1 + what; sphere { 2*A, 1 }", "`what` is not declared.");
