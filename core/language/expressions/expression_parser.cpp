@@ -130,8 +130,7 @@ bool ExpressionParser::parseBareFlag(std::string_view flag) {
     if (!atExpression()) return true;
     const SourceRange start = tokens_.peek().range;
     const bool on = parseBool();
-    warnOfSuperfluous(context(), rangeSince(start, tokens_),
-                      "takes no value behind `" + std::string(flag) + "`.");
+    warnOfSuperfluous(context(), rangeFrom(start), "takes no value behind `" + std::string(flag) + "`.");
     return on;
 }
 
