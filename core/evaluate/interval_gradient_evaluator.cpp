@@ -198,12 +198,12 @@ bool IntervalGradientEvaluator::hasFiner() {
             uniforms.push_back(slots_[tape_->firstUniform() + k].value.low);
         parts_ = std::make_unique<UnivariateParts>(*tape_, uniforms);
     }
-    return parts_->count() > 0;
+    return !parts_->empty();
 }
 
 const IntervalGradient& IntervalGradientEvaluator::evaluateFinely(std::span<const Interval, 3> box) {
     finely_ = hasFiner();
-    evaluations_ += 2 * parts_->count();
+    evaluations_ += parts_->work();
     const IntervalGradient& answer = evaluate(box);
     finely_ = false;
     return answer;

@@ -41,7 +41,7 @@ class IntervalGradientEvaluator {
     /// valid until the next call.
     const IntervalGradient& evaluate(std::span<const Interval, 3> box, std::size_t result = 0);
 
-    /// Result 0 as evaluate() has it, narrowed by UnivariateParts: about three times the work.
+    /// Result 0 as evaluate() has it, narrowed by UnivariateParts, for more work.
     const IntervalGradient& evaluateFinely(std::span<const Interval, 3> box);
     /// Whether that is another answer.
     bool hasFiner();
@@ -80,7 +80,7 @@ class IntervalGradientEvaluator {
     /// longer than those of this one.
     const IntervalGradient& evaluateFolded(std::span<const Interval, 3> box, const Fold& fold);
 
-    /// Boxes evaluated so far; one of evaluateFinely() counts two more for each of the parts.
+    /// Boxes evaluated so far; one of evaluateFinely() counts for as many as it costs.
     std::uint64_t evaluations() const { return evaluations_; }
 
   private:

@@ -109,6 +109,7 @@ UnivariateParts::UnivariateParts(const Tape& tape, std::span<const double> unifo
         slots[instructions[i].target] = 3 + i;
     }
     if (const TapeNode result = slots[tape.results()[0]]; result != nowhere) isLast[result] = true;
+    std::size_t length = 0;
     for (std::size_t i = 0; i < instructions.size(); ++i) {
         const TapeNode node = 3 + i;
         if (!isLast[node] || bent[node] < 2) continue;
@@ -121,12 +122,14 @@ UnivariateParts::UnivariateParts(const Tape& tape, std::span<const double> unifo
         };
         const Function function = functionOf(tape, uniforms, standIns, i);
         if (function.graph->overflowed()) continue;
-        parts_.push_back(
-            {base[node],
-             i,
-             std::make_unique<IntervalGradientEvaluator>(Tape::compile(function), std::span<const double>()),
-             {}});
+        const std::shared_ptr<const Tape> part = Tape::compile(function);
+        length += part->instructions().size();
+        auto evaluator = std::make_unique<IntervalGradientEvaluator>(part, std::span<const double>());
+        parts_.push_back({base[node], i, std::move(evaluator), {}});
     }
+    // Measured: the 17 places of a part cost less than as many of the tape, of which more is asked.
+    constexpr std::size_t costOfWhole = 3;
+    if (!parts_.empty()) work_ = 1 + costOfWhole * length / instructions.size();
 }
 
 UnivariateParts::~UnivariateParts() = default;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -22,8 +23,10 @@ class UnivariateParts {
     UnivariateParts(const Tape& tape, std::span<const double> uniforms);
     ~UnivariateParts();
 
-    /// How many there are; 0 where they say nothing that operations do not.
-    std::size_t count() const { return parts_.size(); }
+    /// Whether there are none, so that they say nothing that operations do not.
+    bool empty() const { return parts_.empty(); }
+    /// About how many evaluations of the tape all of them cost together, by their instructions.
+    std::uint64_t work() const { return work_; }
     /// To be told of the box: `slots` as they are before the first instruction, and after each.
     void begin(std::span<const IntervalGradient> slots);
     void note(std::size_t instruction, IntervalGradient& result);
@@ -41,6 +44,7 @@ class UnivariateParts {
     static void refine(Part& part, IntervalGradient& result);
 
     std::vector<Part> parts_;
+    std::uint64_t work_ = 0;
 };
 
 }  // namespace isoscope
