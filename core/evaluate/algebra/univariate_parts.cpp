@@ -19,9 +19,18 @@ constexpr std::size_t mostInstructions = 1000;
 /// Parts of the range of an operand.
 constexpr std::size_t pieces = 8;
 
-/// A coordinate (0 to 2), an instruction (3 + its number), or that of which nothing is known or all are made.
+/// A coordinate (0 to 2), an instruction, or none of them.
 using TapeNode = std::size_t;
+constexpr TapeNode firstInstruction = 3;
 constexpr TapeNode nowhere = static_cast<TapeNode>(-1);
+
+/// Which coordinates each slot of a tape holds before the first instruction.
+std::vector<TapeNode> coordinateSlots(const Tape& tape) {
+    std::vector<TapeNode> slots(tape.slotCount(), nowhere);
+    const auto coordinates = static_cast<std::size_t>(std::min(3, tape.argumentCount()));
+    for (std::size_t k = 0; k < coordinates; ++k) slots[k] = k;
+    return slots;
+}
 
 /// Whether an operation makes of an operand beside uniform ones a linear function, of which rules know all.
 bool isStraight(const Tape& tape, const Instruction& instruction) {
@@ -36,30 +45,25 @@ bool isStraight(const Tape& tape, const Instruction& instruction) {
     }
 }
 
-/// For each coordinate and instruction of a tape what is known of it as a function of one operand.
+/// Through which operand alone each instruction of a tape depends on the coordinates: its immediate dominator
+/// in the graph of operands.
 class Dominators {
   public:
     explicit Dominators(const Tape& tape)
-        : above_(3 + tape.instructions().size(), nowhere), depth_(above_.size()) {
-        std::vector<TapeNode> slots(tape.slotCount(), nowhere);
-        std::vector<bool> varies(tape.slotCount(), false);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(std::min(3, tape.argumentCount())); ++k) {
-            slots[k] = k;
-            varies[k] = true;
-        }
+        : above_(firstInstruction + tape.instructions().size(), nowhere), depth_(above_.size()) {
+        std::vector<TapeNode> slots = coordinateSlots(tape);
         for (std::size_t i = 0; i < tape.instructions().size(); ++i) {
             const Instruction& instruction = tape.instructions()[i];
-            const TapeNode node = 3 + i;
+            const TapeNode node = firstInstruction + i;
             bool first = true;
             for (std::size_t k = 0; k < instruction.operandCount; ++k) {
-                const Slot slot = instruction.operands[k];
-                if (!varies[slot]) continue;
-                above_[node] = first ? slots[slot] : common(above_[node], slots[slot]);
+                const TapeNode operand = slots[instruction.operands[k]];
+                if (operand == nowhere) continue;  // uniform
+                above_[node] = first ? operand : common(above_[node], operand);
                 first = false;
             }
             depth_[node] = above_[node] == nowhere ? 0 : depth_[above_[node]] + 1;
             slots[instruction.target] = node;
-            varies[instruction.target] = !first;
         }
     }
 
@@ -88,37 +92,36 @@ UnivariateParts::UnivariateParts(const Tape& tape, std::span<const double> unifo
     const Dominators dominators(tape);
     // The operand of which each is a function. The length of a vector, a root, has a slope of its own that
     // is better known than as a function of its square.
-    std::vector<TapeNode> base(3 + instructions.size());
+    std::vector<TapeNode> base(firstInstruction + instructions.size());
     std::vector<std::size_t> bent(base.size());
-    for (std::size_t k = 0; k < 3; ++k) base[k] = k;
+    for (TapeNode k = 0; k < firstInstruction; ++k) base[k] = k;
     for (std::size_t i = 0; i < instructions.size(); ++i) {
-        const TapeNode node = 3 + i, above = dominators.above(node);
+        const TapeNode node = firstInstruction + i, above = dominators.above(node);
         const bool isOwn = above == nowhere || instructions[i].operation == Operation::squareRoot;
         base[node] = isOwn ? node : base[above];
         bent[node] = isOwn ? 0 : bent[above] + (isStraight(tape, instructions[i]) ? 0 : 1);
     }
     // The last of each base: what is used by others, or is the result.
     std::vector<bool> isLast(base.size(), false);
-    std::vector<TapeNode> slots(tape.slotCount(), nowhere);
-    for (std::size_t k = 0; k < 3; ++k) slots[k] = k;
+    std::vector<TapeNode> slots = coordinateSlots(tape);
     for (std::size_t i = 0; i < instructions.size(); ++i) {
         for (std::size_t k = 0; k < instructions[i].operandCount; ++k) {
             const TapeNode operand = slots[instructions[i].operands[k]];
-            if (operand != nowhere && base[operand] != base[3 + i]) isLast[operand] = true;
+            if (operand != nowhere && base[operand] != base[firstInstruction + i]) isLast[operand] = true;
         }
-        slots[instructions[i].target] = 3 + i;
+        slots[instructions[i].target] = firstInstruction + i;
     }
     if (const TapeNode result = slots[tape.results()[0]]; result != nowhere) isLast[result] = true;
     std::size_t length = 0;
     for (std::size_t i = 0; i < instructions.size(); ++i) {
-        const TapeNode node = 3 + i;
+        const TapeNode node = firstInstruction + i;
         if (!isLast[node] || bent[node] < 2) continue;
         TapeStandIns standIns;
         standIns.coordinate = [&](FunctionGraph& graph, std::size_t axis) {
             return axis == base[node] ? graph.variable(0) : noNode;
         };
         standIns.instruction = [&](FunctionGraph& graph, std::size_t k) {
-            return 3 + k == base[node] ? graph.variable(0) : noNode;
+            return firstInstruction + k == base[node] ? graph.variable(0) : noNode;
         };
         const Function function = functionOf(tape, uniforms, standIns, i);
         if (function.graph->overflowed()) continue;
@@ -136,13 +139,13 @@ UnivariateParts::~UnivariateParts() = default;
 
 void UnivariateParts::begin(std::span<const IntervalGradient> slots) {
     for (Part& part : parts_)
-        if (part.base < coordinateBases) part.from = slots[part.base];
+        if (part.base < firstInstruction) part.from = slots[part.base];
 }
 
 void UnivariateParts::note(std::size_t instruction, IntervalGradient& result) {
     for (Part& part : parts_) {
         if (part.result == instruction) refine(part, result);
-        if (part.base == coordinateBases + instruction) part.from = result;
+        if (part.base == firstInstruction + instruction) part.from = result;
     }
 }
 

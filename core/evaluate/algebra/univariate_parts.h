@@ -32,10 +32,8 @@ class UnivariateParts {
     void note(std::size_t instruction, IntervalGradient& result);
 
   private:
-    static constexpr std::size_t coordinateBases = 3;  ///< the first bases are the coordinates
-
     struct Part {
-        std::size_t base;    ///< a coordinate, or coordinateBases + an instruction
+        std::size_t base;    ///< a coordinate (0 to 2), or 3 + an instruction
         std::size_t result;  ///< an instruction
         std::unique_ptr<IntervalGradientEvaluator> function;  ///< of one argument
         IntervalGradient from;                                ///< the base over the box
