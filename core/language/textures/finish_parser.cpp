@@ -6,7 +6,6 @@
 
 #include "core/language/expressions/declared_value.h"
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/tokens/block_words.h"
 #include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
 
@@ -15,6 +14,21 @@ namespace isoscope {
 constexpr std::array<const char*, 3> FinishParser::itemWords{
     "ambient emission diffuse brilliance phong phong_size specular roughness crand metallic conserve_energy "
     "reflection irid subsurface use_alpha"};
+
+namespace {
+
+/// Whether a word is one of a list with spaces between. (The lists of block_words.h are made for messages,
+/// which a text without mistakes should not wait for.)
+bool isListed(std::string_view list, std::string_view word) {
+    while (!list.empty()) {
+        const std::size_t end = std::min(list.find(' '), list.size());
+        if (list.substr(0, end) == word) return true;
+        list.remove_prefix(std::min(end + 1, list.size()));
+    }
+    return false;
+}
+
+}  // namespace
 
 Finish FinishParser::parse(const Finish& start) {
     finish_ = start;
@@ -171,8 +185,7 @@ void FinishParser::leaveOut(std::string_view word) {
 
 /// As in POV-Ray, 0 where the block ends or its next item begins.
 Color FinishParser::parseAmount() {
-    if (tokens_.peek().is("}") || std::ranges::count(wordsOfBlock("finish"), tokens_.peek().text) > 0)
-        return {};
+    if (tokens_.peek().is("}") || isListed(itemWords[0], tokens_.peek().text)) return {};
     const SourceRange start = tokens_.peek().range;
     const std::optional<Value> value = ExpressionParser(tokens_).parseValue();
     if (!value) return {};

@@ -142,6 +142,56 @@ Material TextureParser::parseMaterial() {
 
 namespace {
 
+/// POV-Ray's rules for the order of a `texture`: `uv_mapping` first; a pattern with nothing but that before
+/// it, with a map or list behind it, and no parts of a plain texture beside it.
+class TextureOrder {
+  public:
+    explicit TextureOrder(ParseContext& context) : context_(context) {}
+
+    /// A name of something declared has been read.
+    void noteName() { isPlain_ = true; }
+    /// An item has been read that began with `word`; `isPattern`: it says which texture is where.
+    void note(const Token& word, bool isPattern, MapKind kind) {
+        const std::string name(word.text);
+        if (word.is("uv_mapping")) {
+            if (isPlain_ || pattern_) warn(word, "wants `uv_mapping` before other items of a `texture`.");
+        } else if (isPattern) {
+            if (isPlain_ || pattern_)
+                warn(word, "wants `" + name + "` before other items of a `texture`, and no second pattern.");
+            if (!pattern_) pattern_ = word;
+            hasMap_ |= word.is("tiles") || word.is("material_map");
+        } else if (word.is("pigment") || word.is("normal") || word.is("finish")) {
+            if (pattern_) warn(word, "takes no `" + name + "` beside a pattern of textures.");
+            isPlain_ = true;
+        } else if (word.is("texture_map")) {
+            if (!pattern_)
+                warn(word, "wants a pattern, such as `bozo`, before a `texture_map`.");
+            else if (kind == MapKind::list)
+                warn(word, "takes textures alone behind `" + std::string(pattern_->text) + "`.");
+            hasMap_ = true;
+        } else if (word.is("texture")) {
+            hasMap_ = true;
+        } else if (!word.is("no_bump_scale")) {
+            isPlain_ |= !pattern_;
+        }
+    }
+    /// At the end of the block.
+    void finish(bool hasEntries) {
+        if (pattern_ && !hasMap_ && !hasEntries)
+            warn(*pattern_, "wants textures behind `" + std::string(pattern_->text) + "` in a `texture`.");
+    }
+
+  private:
+    void warn(const Token& word, const std::string& wants) {
+        warnOfRefusal(context_, word.range, wants, "leave it out, or give the texture to a map of its own");
+    }
+
+    ParseContext& context_;
+    bool isPlain_ = false;  ///< something of a texture without a pattern has been read
+    bool hasMap_ = false;
+    std::optional<Token> pattern_;
+};
+
 void setPigment(Material& material, Pigment pigment) {
     material.pigment = std::move(pigment);
     material.pigmentTransform = Transform();
@@ -174,6 +224,7 @@ void TextureParser::parseBody(Material& material, std::string_view end, std::str
     const NestingGuard guard(tokens_);
     if (!guard.ok()) return tokens_.skipBlock();
     bool isFirst = true, namesMayFollow = true;
+    TextureOrder order(tokens_.context());
     while (!tokens_.peek().is(end)) {
         const Token word = tokens_.peek();
         // Names of textures stand first, those of pigments, normals and finishes behind nothing but names.
@@ -181,15 +232,22 @@ void TextureParser::parseBody(Material& material, std::string_view end, std::str
             material = *declared;
             if (!isFirst) warnOfLateName(tokens_.context(), word, "texture");
             isFirst = false;
+            order.noteName();
             continue;
         }
         if (startFromDeclared(material)) {
             if (!namesMayFollow) warnOfLateName(tokens_.context(), word, "part of a texture");
             isFirst = false;
+            order.noteName();
             continue;
         }
         if (!word.is("uv_mapping")) isFirst = namesMayFollow = false;
-        if (parseTextureItem(material)) continue;
+        const bool isPattern =
+            reader_.atName() || isPatternLeftOut(word.text) || word.is("tiles") || word.is("material_map");
+        if (parseTextureItem(material)) {
+            order.note(word, isPattern, mapped_ ? mapped_->kind : MapKind::blend);
+            continue;
+        }
         const Token token = tokens_.peek();
         if (token.kind == TokenKind::end) {
             tokens_.expect(end, "to close `" + std::string(keyword) + "`");
@@ -198,6 +256,7 @@ void TextureParser::parseBody(Material& material, std::string_view end, std::str
         if (!passUnknownItem(tokens_, keyword, end)) tokens_.next();
     }
     tokens_.next();
+    order.finish(mapped_ && !mapped_->entries.empty());
     finishMap(material);
     applyFlags(material);
 }
