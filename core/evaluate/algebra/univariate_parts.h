@@ -15,7 +15,8 @@ class IntervalGradientEvaluator;
 
 /// The operands of a tape that are functions of one other operand alone, such as 1/(1 + exp(-6 u)) with
 /// u = x + y z. Interval arithmetic on each of their operations forgets that all of these have the same u;
-/// by the slopes of the whole, over parts of the range of u, it is known. The rest is the chain rule.
+/// by the slopes of the whole, over parts of the range of u, it is known. The rest is the chain rule. One
+/// object per thread.
 class UnivariateParts {
   public:
     /// Of a tape with these values of its uniform slots. None for tapes with loops or of very many
@@ -27,8 +28,10 @@ class UnivariateParts {
     bool empty() const { return parts_.empty(); }
     /// About how many evaluations of the tape all of them cost together, by their instructions.
     std::uint64_t work() const { return work_; }
-    /// To be told of the box: `slots` as they are before the first instruction, and after each.
+    /// Begins a run of the tape over a box: `slots` as they are before the first instruction.
     void begin(std::span<const IntervalGradient> slots);
+    /// To be called behind each instruction, in their order. Narrows `result` where it ends a part; never
+    /// widens it, and leaves what has a hazard or open choices as it is.
     void note(std::size_t instruction, IntervalGradient& result);
 
   private:

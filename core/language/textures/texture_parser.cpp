@@ -154,20 +154,28 @@ class TextureOrder {
     void note(const Token& word, bool isPattern, MapKind kind) {
         const std::string name(word.text);
         if (word.is("uv_mapping")) {
-            if (isPlain_ || pattern_) warn(word, "wants `uv_mapping` before other items of a `texture`.");
-        } else if (isPattern) {
             if (isPlain_ || pattern_)
-                warn(word, "wants `" + name + "` before other items of a `texture`, and no second pattern.");
+                warn(word, "wants `uv_mapping` before other items of a `texture`.",
+                     "move it in front of them");
+        } else if (isPattern) {
+            if (pattern_)
+                warn(word, "takes one pattern of textures in a `texture`.", "leave one of them out");
+            else if (isPlain_)
+                warn(word, "takes no other items before `" + name + "` in a `texture`.",
+                     "write them into each of its textures");
             if (!pattern_) pattern_ = word;
             hasMap_ |= word.is("tiles") || word.is("material_map");
         } else if (word.is("pigment") || word.is("normal") || word.is("finish")) {
-            if (pattern_) warn(word, "takes no `" + name + "` beside a pattern of textures.");
+            if (pattern_)
+                warn(word, "takes no `" + name + "` beside a pattern of textures.",
+                     "write it into each of the textures");
             isPlain_ = true;
         } else if (word.is("texture_map")) {
             if (!pattern_)
-                warn(word, "wants a pattern, such as `bozo`, before a `texture_map`.");
+                warn(word, "wants a pattern before a `texture_map`.", "write `bozo` in front of it");
             else if (kind == MapKind::list)
-                warn(word, "takes textures alone behind `" + std::string(pattern_->text) + "`.");
+                warn(word, "takes textures alone behind `" + std::string(pattern_->text) + "`.",
+                     "write `texture { ... } texture { ... }`");
             hasMap_ = true;
         } else if (word.is("texture")) {
             hasMap_ = true;
@@ -178,12 +186,13 @@ class TextureOrder {
     /// At the end of the block.
     void finish(bool hasEntries) {
         if (pattern_ && !hasMap_ && !hasEntries)
-            warn(*pattern_, "wants textures behind `" + std::string(pattern_->text) + "` in a `texture`.");
+            warn(*pattern_, "wants textures behind `" + std::string(pattern_->text) + "` in a `texture`.",
+                 "write a `texture_map` behind it");
     }
 
   private:
-    void warn(const Token& word, const std::string& wants) {
-        warnOfRefusal(context_, word.range, wants, "leave it out, or give the texture to a map of its own");
+    void warn(const Token& word, const std::string& wants, const std::string& hint) {
+        warnOfRefusal(context_, word.range, wants, hint);
     }
 
     ParseContext& context_;
