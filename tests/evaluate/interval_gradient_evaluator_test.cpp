@@ -6,11 +6,8 @@
 #include <numbers>
 #include <QTest>
 
-#include "core/evaluate/gradient_evaluator.h"
-#include "core/evaluate/reference_evaluator.h"
-#include "core/function/graph_builder.h"
 #include "core/numeric/noise_bounds.h"
-#include "tests/support/random_function.h"
+#include "tests/support/gradient_bounds.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
@@ -18,133 +15,8 @@ using namespace isoscope::test;
 namespace {
 
 constexpr std::uint64_t seed = 31415926;
-const std::vector<double> parameters{1.5, -2, 0.3};
-
-using Box = std::array<Interval, 3>;
-using Point = std::array<double, 3>;
-
-Box boxAround(std::mt19937_64& random, double reach, double smallest, double largest) {
-    Box box;
-    const double size = std::pow(10.0, std::uniform_real_distribution<double>(smallest, largest)(random));
-    for (Interval& axis : box) {
-        const double center = std::uniform_real_distribution<double>(-reach, reach)(random);
-        axis = {center - size, center + size, false};
-    }
-    return box;
-}
-
-Point inside(std::mt19937_64& random, const Box& box) {
-    Point p;
-    for (int k = 0; k < 3; ++k)
-        p[k] = std::uniform_real_distribution<double>(box[k].low, box[k].high)(random);
-    return p;
-}
-
-template <class Make>
-Function functionOf(Make make) {
-    FunctionGraph graph;
-    const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)), z(graph, graph.variable(2));
-    const NodeId root = Expression(make(x, y, z)).node();
-    return finish(std::move(graph), {root}, 3);
-}
-
-template <class Make>
-IntervalGradient over(Make make, const Box& box) {
-    return IntervalGradientEvaluator(Tape::compile(functionOf(make)), {}).evaluate(box);
-}
-
-constexpr Interval unit{-1, 1, false};
-
-/// What a function must obey on a box; counts what could be checked.
-struct Checks {
-    int values = 0, climbs = 0, slopes = 0, bends = 0;
-    int finer = 0;  ///< boxes of which UnivariateParts know more
-};
-
-/// Empty when `answer` holds for the function at the two points, else what does not.
-QString contradiction(const IntervalGradient& answer, ReferenceEvaluator& reference,
-                      GradientEvaluator& gradient, const Point& p, const Point& q, Checks& checks) {
-    const double fp = reference.evaluate(p, parameters), fq = reference.evaluate(q, parameters);
-    if (std::isfinite(fp)) {
-        ++checks.values;
-        const double rounding = 1e-9 * (1 + std::abs(fp));
-        if (!(fp >= answer.value.low - rounding && fp <= answer.value.high + rounding)) return "value";
-    }
-    if (!answer.bounded() || answer.value.maybeUndefined || !std::isfinite(fp) || !std::isfinite(fq))
-        return {};
-    const double way = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-    const double rounding = 1e-9 * (1 + std::abs(fp) + std::abs(fq));
-    ++checks.climbs;
-    if (std::abs(fp - fq) > answer.steepness * way * (1 + 1e-9) + rounding) return "steepness";
-    const ValueAndGradient gp = gradient.evaluate(p[0], p[1], p[2]), gq = gradient.evaluate(q[0], q[1], q[2]);
-    const auto& a = gp.gradient;
-    const double slack = 1e-9 * (1 + answer.steepness);
-    // The evaluator at points cuts slopes off.
-    if (answer.steepness >= GradientEvaluator::steepest) return {};
-    ++checks.slopes;
-    if (std::hypot(a[0], a[1], a[2]) > answer.steepness + slack) return "length";
-    for (int i = 0; i < 3; ++i)
-        if (!(a[i] >= answer.slope[i].low - slack && a[i] <= answer.slope[i].high + slack)) return "slope";
-    if (!answer.smooth || answer.pieced) return {};
-    ++checks.bends;
-    for (int i = 0; i < 3; ++i) {
-        double most = slack;
-        for (int j = 0; j < 3; ++j)
-            most += answer.bend[bendIndex(i, j)].size() * std::abs(p[j] - q[j]) * (1 + 1e-9);
-        if (std::abs(a[i] - gq.gradient[i]) > most) return "bend";
-    }
-    return {};
-}
 
 }  // namespace
-
-/// Roots of sums of powers of random functions of each coordinate, of every kind of exponent.
-Function randomNorm(std::mt19937_64& random) {
-    const auto number = [&](double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(random);
-    };
-    return functionOf([&](auto x, auto y, auto z) {
-        const double exponents[] = {1, 1.5, 2, 2, 2.6, 4, 5, 2 / 0.3};
-        const double e = exponents[random() % std::size(exponents)];
-        const auto part = [&] {
-            const auto along = number(-2, 2) * x + number(-2, 2) * y + number(-1, 1) * z;
-            const auto u = random() % 3 == 0   ? sin(along)
-                           : random() % 2 == 0 ? along + number(-1, 1)
-                                               : sq(along);
-            if (e == 2 && random() % 2 == 0) return sq(u);
-            if (e == 4 && random() % 2 == 0) return pow(u, u.number(4));
-            return pow(abs(u), u.number(e));
-        };
-        auto sum = number(0.1, 2) * part() + part();
-        if (random() % 3 == 0) sum = sum + part() / 3;
-        if (random() % 3 == 0) sum = sum + number(0, 0.5);
-        if (random() % 4 == 0) sum = sum / number(0.2, 3);
-        if (random() % 8 == 0) sum = select(sum, sum, sum.number(number(-1, 1)), sum);
-        const double root = random() % 4 == 0 ? number(1, 3) / e : 1 / e;
-        return root == 0.5 ? sqrt(sum) : pow(sum, x.number(root));
-    });
-}
-
-/// Of one operand, which is a form or a product, and beside it of the coordinates.
-Function randomRidge(std::mt19937_64& random) {
-    const auto number = [&](double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(random);
-    };
-    return functionOf([&](auto x, auto y, auto z) {
-        const auto u = random() % 3 == 0 ? number(-1, 1) * x * y + z
-                                         : number(-2, 2) * x + number(-2, 2) * y + number(-1, 1) * z;
-        auto value = u;
-        for (int k = 2 + static_cast<int>(random() % 3); k > 0; --k) {
-            using enum Operation;
-            const Operation some[] = {sine,   exponential, hyperbolicTangent, arcTangent, areaSine,
-                                      square, cosine,      absolute};
-            value = apply(some[random() % std::size(some)], number(-2, 2) * value + number(-1, 1));
-            if (random() % 3 == 0) value = value * u;
-            if (random() % 4 == 0) value = 1 / (1.5 + sq(value));
-        }
-        return random() % 2 == 0 ? value : value + x * sin(y) * number(-1, 1);
-    });
-}
 
 class IntervalGradientEvaluatorTest : public QObject {
     Q_OBJECT
@@ -157,38 +29,6 @@ class IntervalGradientEvaluatorTest : public QObject {
             settings.nodes = 1 + static_cast<int>(random() % 10);
             return randomFunction(random, settings);
         });
-    }
-
-    template <class Draw>
-    static Checks holdForAll(int rounds, std::uint64_t start, Draw draw) {
-        std::mt19937_64 random(start);
-        Checks checks;
-        for (int round = 0; round < rounds; ++round) {
-            const Function function = draw(random);
-            const auto tape = Tape::compile(function);
-            IntervalGradientEvaluator evaluator(tape, parameters);
-            ReferenceEvaluator reference(function);
-            GradientEvaluator gradient(tape, parameters);
-            for (int tries = 0; tries < 3; ++tries) {
-                const Box box = boxAround(random, 3, -5, 0.3);
-                const IntervalGradient answer = evaluator.evaluate(box),
-                                       finer = evaluator.evaluateFinely(box);
-                checks.finer += finer.steepness < answer.steepness ? 1 : 0;
-                for (int pair = 0; pair < 6; ++pair) {
-                    const Point p = inside(random, box), q = inside(random, box);
-                    QString wrong = contradiction(answer, reference, gradient, p, q, checks);
-                    Checks others;
-                    if (wrong.isEmpty()) wrong = contradiction(finer, reference, gradient, p, q, others);
-                    if (!(finer.steepness <= answer.steepness)) wrong = "finer";
-                    if (wrong.isEmpty()) continue;
-                    qCritical("%s is wrong at %a %a %a in [%a,%a]x[%a,%a]x[%a,%a] for\n%s", qPrintable(wrong),
-                              p[0], p[1], p[2], box[0].low, box[0].high, box[1].low, box[1].high, box[2].low,
-                              box[2].high, describe(function).c_str());
-                    return {};
-                }
-            }
-        }
-        return checks;
     }
 
   private slots:
@@ -213,46 +53,6 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY2(checks.bends > 10000, qPrintable(QString::number(checks.bends)));
     }
 
-    void functionsOfOneOperandStayWithinFinerBounds() {
-        const Checks checks = holdForAll(20000, seed + 12, randomRidge);
-        QVERIFY2(checks.slopes > 200000 && checks.bends > 100000 && checks.finer > 20000,
-                 qPrintable(QString::number(checks.finer)));
-    }
-
-    /// A sigmoid is no steeper than a quarter, and bends by 1/(6 sqrt 3) at most; by its operations alone it
-    /// seemed steeper than 20 over this box.
-    void aSigmoidIsKnownFinely() {
-        const Function sigmoid =
-            functionOf([](auto x, auto y, auto z) { return 1 / (1 + exp(-(x + y + z))); });
-        IntervalGradientEvaluator evaluator(Tape::compile(sigmoid), {});
-        QVERIFY(evaluator.hasFiner());
-        const IntervalGradient coarse = evaluator.evaluate(Box{unit, unit, unit});
-        const IntervalGradient fine = evaluator.evaluateFinely(Box{unit, unit, unit});
-        const double steepest = std::sqrt(3.0) / 4, bent = 1 / (6 * std::sqrt(3.0));
-        QVERIFY(coarse.steepness > 50 * steepest);
-        QVERIFY(fine.steepness >= steepest && fine.steepness < 2.5 * steepest);
-        const Interval part{-0.25, 0.25, false};
-        QVERIFY(evaluator.evaluate(Box{part, part, part}).steepness > 3 * steepest);
-        const IntervalGradient near = evaluator.evaluateFinely(Box{part, part, part});
-        QVERIFY(near.steepness >= steepest && near.steepness < 1.06 * steepest);
-        QVERIFY(near.slope[0].low > 0 && near.slope[0].high < 1.06 * 0.25);
-        QVERIFY(near.bend[0].size() < 3 * bent);
-        // Nothing is kept of the box.
-        QCOMPARE(evaluator.evaluate(Box{unit, unit, unit}).steepness, coarse.steepness);
-    }
-
-    void whatHasNoPartsHasNothingFiner() {
-        const auto hasFiner = [](auto make) {
-            return IntervalGradientEvaluator(Tape::compile(functionOf(make)), {}).hasFiner();
-        };
-        QVERIFY(!hasFiner([](auto x, auto y, auto z) { return x * y + z; }));
-        QVERIFY(!hasFiner([](auto x, auto y, auto z) { return sin(x + y) + z; }));
-        // A length has its slope of its own, and one operation beside it is known exactly.
-        QVERIFY(!hasFiner([](auto x, auto y, auto z) { return sin(sqrt(sq(x) + sq(y) + sq(z))); }));
-        QVERIFY(hasFiner([](auto x, auto y, auto z) { return sq(sin(x * y)) + z; }));
-        QVERIFY(hasFiner([](auto x, auto y, auto z) { return sq(sin(x)) * y + z; }));
-    }
-
     /// The second derivatives of these have their turns; a product of ranges seemed 5 times as large.
     void bendsOfFlatteningFunctionsAreSharp() {
         using enum Operation;
@@ -269,75 +69,6 @@ class IntervalGradientEvaluatorTest : public QObject {
             QVERIFY(a.bend[0].high >= row.bent && a.bend[0].high < row.bent * (1 + 1e-12));
             QVERIFY(a.bend[0].low <= -row.bent && a.bend[0].low > -row.bent * (1 + 1e-12));
         }
-    }
-
-    void rootsOfSumsOfPowersStayWithinTheirBounds() {
-        const Checks checks = holdForAll(20000, seed + 4, randomNorm);
-        QVERIFY2(checks.slopes > 100000 && checks.bends > 50000, qPrintable(QString::number(checks.bends)));
-    }
-
-    /// Not as wide as what the sum and its root say one after the other.
-    void normsHaveSharpSlopes() {
-        const Box box{Interval{0.3, 0.7, false}, Interval{0.9, 1.1, false}, unit};
-        const IntervalGradient circle = over([](auto x, auto y, auto) { return sqrt(sq(x) + sq(y)); }, box);
-        const double least = 0.3 / std::hypot(0.3, 1.1), most = 0.7 / std::hypot(0.7, 0.9);
-        QVERIFY(std::abs(circle.slope[0].low - least) < 1e-9 && std::abs(circle.slope[0].high - most) < 1e-9);
-        // A section with rounded corners, across the middle of a side: straight there, and no kink.
-        const Box side{Interval{-0.1, 0.1, false}, Interval{0.9, 1.1, false}, unit};
-        const IntervalGradient section = over(
-            [](auto x, auto y, auto) {
-                return pow(pow(abs(x), x.number(4)) + pow(abs(y), x.number(4)), x.number(0.25));
-            },
-            side);
-        QVERIFY(section.smooth && !section.pieced);
-        QVERIFY(section.slope[0].size() < 0.0015 && section.slope[1].low > 0.999);
-        QVERIFY(section.bend[bendIndex(0, 0)].size() < 0.05);
-    }
-
-    /// Also about the centre, where the slopes of the sum and its root tell nothing.
-    void normsOfScaledSumsHaveTheirSteepness() {
-        const auto steepness = [](double factor, double exponent) {
-            return over(
-                       [&](auto x, auto y, auto) {
-                           return pow(
-                               (pow(abs(x), x.number(exponent)) + pow(abs(y), x.number(exponent))) / factor,
-                               x.number(1 / exponent));
-                       },
-                       {unit, unit, unit})
-                .steepness;
-        };
-        for (const double factor : {0.25, 1.0, 9.0})
-            for (const double exponent : {2.0, 3.0, 4.0}) {
-                const double exact = std::pow(factor, -1 / exponent), found = steepness(factor, exponent);
-                QVERIFY2(found >= exact && found < exact * (1 + 1e-9),
-                         qPrintable(QString("%1 for %2").arg(found).arg(exact)));
-            }
-    }
-
-    /// d2/dy2 sqrt(x^2 + y^2) is x^2 / sqrt(x^2 + y^2)^3.
-    void normsHaveSharpBends() {
-        const Box box{Interval{0.99, 1.01, false}, Interval{-0.01, 0.01, false}, unit};
-        const IntervalGradient circle =
-            over([](auto x, auto y,
-                    auto) { return pow(pow(abs(x), x.number(2)) + pow(abs(y), x.number(2)), x.number(0.5)); },
-                 box);
-        QVERIFY(circle.smooth && !circle.pieced);
-        const SlopeRange across = circle.bend[bendIndex(1, 1)];
-        QVERIFY2(across.low > 0.9 && across.high < 1.1,
-                 qPrintable(QString("%1 to %2").arg(across.low).arg(across.high)));
-        QVERIFY(circle.bend[bendIndex(0, 0)].size() < 0.01);
-    }
-
-    /// Wherever the two parts of a section are perpendicular, its slope is that of the steeper one.
-    void sectionsOfPerpendicularPartsAreNoSteeperThanThese() {
-        const Box box{Interval{0.45, 0.55, false}, Interval{0.45, 0.55, false}, unit};
-        const auto turned = [](auto x, auto y, auto) {
-            const auto a = 0.6 * x - 0.8 * y, b = 0.8 * x + 0.6 * y;
-            return pow(pow(abs(a), x.number(10)) + pow(abs(b), x.number(10)), x.number(0.1));
-        };
-        QVERIFY(over(turned, box).bounded() && over(turned, box).steepness < 1 + 1e-9);
-        const Box middle{unit, unit, unit};
-        QVERIFY(over(turned, middle).bounded() && over(turned, middle).steepness < 1 + 1e-9);
     }
 
     /// From a point, with the choices of the box left open, bends lead to the slopes everywhere in the box.
@@ -464,7 +195,7 @@ class IntervalGradientEvaluatorTest : public QObject {
             evaluator.evaluate(box);
             const std::size_t choices = evaluator.openChoices();
             if (choices == 0 || choices > 3) continue;
-            const Point q = ::inside(random, box);
+            const Point q = inside(random, box);
             const Box place{Interval::point(q[0]), Interval::point(q[1]), Interval::point(q[2])};
             const double value = reference.evaluate(q, parameters), slack = 1e-9 * (1 + std::abs(value));
             if (!std::isfinite(value)) continue;
@@ -536,25 +267,6 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY(cells(true, 0.25).bounded());
         for (const bool isCells : {true, false})
             QCOMPARE(cells(isCells, -0.25).hazard, GradientHazard::unknown);
-    }
-
-    void distancesKeepTheirSlopeAtTheirCentre() {
-        const Box box{unit, unit, unit};
-        const IntervalGradient sphere =
-            over([](auto x, auto y, auto z) { return sqrt(sq(x) + sq(y) + sq(z)) - 1; }, box);
-        QVERIFY(sphere.bounded() && sphere.steepness < 1 + 1e-12);
-        const IntervalGradient torus = over(
-            [](auto x, auto y, auto z) { return sqrt(sq(sqrt(sq(x) + sq(z)) - 1) + sq(y)) - 0.25; }, box);
-        QVERIFY(torus.bounded() && torus.steepness < 1 + 1e-12);
-        const IntervalGradient turned = over(
-            [](auto x, auto y, auto) { return sqrt(sq(0.6 * x - 0.8 * y) + sq(0.8 * x + 0.6 * y)); }, box);
-        QVERIFY(turned.bounded() && turned.steepness < 1 + 1e-12);
-        const IntervalGradient cube =
-            over([](auto x, auto y, auto z) { return max(abs(x), max(abs(y), abs(z))); }, box);
-        QVERIFY(cube.bounded() && cube.steepness < 1 + 1e-12);
-        const IntervalGradient octahedron =
-            over([](auto x, auto y, auto z) { return abs(x) + abs(y) + abs(z); }, box);
-        QVERIFY(octahedron.bounded() && octahedron.steepness < std::sqrt(3.0) + 1e-12);
     }
 
     void hazardsAreNamed() {

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gradients over boxes of lengths, sums of powers and their roots.
+#include <cmath>
+#include <QTest>
+
+#include "tests/support/gradient_bounds.h"
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+constexpr std::uint64_t seed = 31415926;
+
+/// Roots of sums of powers of random functions of each coordinate, of every kind of exponent.
+Function randomNorm(std::mt19937_64& random) {
+    const auto number = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    return functionOf([&](auto x, auto y, auto z) {
+        const double exponents[] = {1, 1.5, 2, 2, 2.6, 4, 5, 2 / 0.3};
+        const double e = exponents[random() % std::size(exponents)];
+        const auto part = [&] {
+            const auto along = number(-2, 2) * x + number(-2, 2) * y + number(-1, 1) * z;
+            const auto u = random() % 3 == 0   ? sin(along)
+                           : random() % 2 == 0 ? along + number(-1, 1)
+                                               : sq(along);
+            if (e == 2 && random() % 2 == 0) return sq(u);
+            if (e == 4 && random() % 2 == 0) return pow(u, u.number(4));
+            return pow(abs(u), u.number(e));
+        };
+        auto sum = number(0.1, 2) * part() + part();
+        if (random() % 3 == 0) sum = sum + part() / 3;
+        if (random() % 3 == 0) sum = sum + number(0, 0.5);
+        if (random() % 4 == 0) sum = sum / number(0.2, 3);
+        if (random() % 8 == 0) sum = select(sum, sum, sum.number(number(-1, 1)), sum);
+        const double root = random() % 4 == 0 ? number(1, 3) / e : 1 / e;
+        return root == 0.5 ? sqrt(sum) : pow(sum, x.number(root));
+    });
+}
+
+}  // namespace
+
+class NormGradientTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
+
+    void rootsOfSumsOfPowersStayWithinTheirBounds() {
+        const Checks checks = holdForAll(20000, seed + 4, randomNorm);
+        QVERIFY2(checks.slopes > 100000 && checks.bends > 50000, qPrintable(QString::number(checks.bends)));
+    }
+
+    /// Not as wide as what the sum and its root say one after the other.
+    void normsHaveSharpSlopes() {
+        const Box box{Interval{0.3, 0.7, false}, Interval{0.9, 1.1, false}, unit};
+        const IntervalGradient circle = over([](auto x, auto y, auto) { return sqrt(sq(x) + sq(y)); }, box);
+        const double least = 0.3 / std::hypot(0.3, 1.1), most = 0.7 / std::hypot(0.7, 0.9);
+        QVERIFY(std::abs(circle.slope[0].low - least) < 1e-9 && std::abs(circle.slope[0].high - most) < 1e-9);
+        // A section with rounded corners, across the middle of a side: straight there, and no kink.
+        const Box side{Interval{-0.1, 0.1, false}, Interval{0.9, 1.1, false}, unit};
+        const IntervalGradient section = over(
+            [](auto x, auto y, auto) {
+                return pow(pow(abs(x), x.number(4)) + pow(abs(y), x.number(4)), x.number(0.25));
+            },
+            side);
+        QVERIFY(section.smooth && !section.pieced);
+        QVERIFY(section.slope[0].size() < 0.0015 && section.slope[1].low > 0.999);
+        QVERIFY(section.bend[bendIndex(0, 0)].size() < 0.05);
+    }
+
+    /// Also about the centre, where the slopes of the sum and its root tell nothing.
+    void normsOfScaledSumsHaveTheirSteepness() {
+        const auto steepness = [](double factor, double exponent) {
+            return over(
+                       [&](auto x, auto y, auto) {
+                           return pow(
+                               (pow(abs(x), x.number(exponent)) + pow(abs(y), x.number(exponent))) / factor,
+                               x.number(1 / exponent));
+                       },
+                       {unit, unit, unit})
+                .steepness;
+        };
+        for (const double factor : {0.25, 1.0, 9.0})
+            for (const double exponent : {2.0, 3.0, 4.0}) {
+                const double exact = std::pow(factor, -1 / exponent), found = steepness(factor, exponent);
+                QVERIFY2(found >= exact && found < exact * (1 + 1e-9),
+                         qPrintable(QString("%1 for %2").arg(found).arg(exact)));
+            }
+    }
+
+    /// d2/dy2 sqrt(x^2 + y^2) is x^2 / sqrt(x^2 + y^2)^3.
+    void normsHaveSharpBends() {
+        const Box box{Interval{0.99, 1.01, false}, Interval{-0.01, 0.01, false}, unit};
+        const IntervalGradient circle =
+            over([](auto x, auto y,
+                    auto) { return pow(pow(abs(x), x.number(2)) + pow(abs(y), x.number(2)), x.number(0.5)); },
+                 box);
+        QVERIFY(circle.smooth && !circle.pieced);
+        const SlopeRange across = circle.bend[bendIndex(1, 1)];
+        QVERIFY2(across.low > 0.9 && across.high < 1.1,
+                 qPrintable(QString("%1 to %2").arg(across.low).arg(across.high)));
+        QVERIFY(circle.bend[bendIndex(0, 0)].size() < 0.01);
+    }
+
+    /// Wherever the two parts of a section are perpendicular, its slope is that of the steeper one.
+    void sectionsOfPerpendicularPartsAreNoSteeperThanThese() {
+        const Box box{Interval{0.45, 0.55, false}, Interval{0.45, 0.55, false}, unit};
+        const auto turned = [](auto x, auto y, auto) {
+            const auto a = 0.6 * x - 0.8 * y, b = 0.8 * x + 0.6 * y;
+            return pow(pow(abs(a), x.number(10)) + pow(abs(b), x.number(10)), x.number(0.1));
+        };
+        QVERIFY(over(turned, box).bounded() && over(turned, box).steepness < 1 + 1e-9);
+        const Box middle{unit, unit, unit};
+        QVERIFY(over(turned, middle).bounded() && over(turned, middle).steepness < 1 + 1e-9);
+    }
+
+    void distancesKeepTheirSlopeAtTheirCentre() {
+        const Box box{unit, unit, unit};
+        const IntervalGradient sphere =
+            over([](auto x, auto y, auto z) { return sqrt(sq(x) + sq(y) + sq(z)) - 1; }, box);
+        QVERIFY(sphere.bounded() && sphere.steepness < 1 + 1e-12);
+        const IntervalGradient torus = over(
+            [](auto x, auto y, auto z) { return sqrt(sq(sqrt(sq(x) + sq(z)) - 1) + sq(y)) - 0.25; }, box);
+        QVERIFY(torus.bounded() && torus.steepness < 1 + 1e-12);
+        const IntervalGradient turned = over(
+            [](auto x, auto y, auto) { return sqrt(sq(0.6 * x - 0.8 * y) + sq(0.8 * x + 0.6 * y)); }, box);
+        QVERIFY(turned.bounded() && turned.steepness < 1 + 1e-12);
+        const IntervalGradient cube =
+            over([](auto x, auto y, auto z) { return max(abs(x), max(abs(y), abs(z))); }, box);
+        QVERIFY(cube.bounded() && cube.steepness < 1 + 1e-12);
+        const IntervalGradient octahedron =
+            over([](auto x, auto y, auto z) { return abs(x) + abs(y) + abs(z); }, box);
+        QVERIFY(octahedron.bounded() && octahedron.steepness < std::sqrt(3.0) + 1e-12);
+    }
+};
+
+QTEST_APPLESS_MAIN(NormGradientTest)
+#include "norm_gradient_test.moc"
