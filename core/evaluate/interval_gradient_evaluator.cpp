@@ -10,6 +10,7 @@
 #include "core/evaluate/algebra/interval_gradient_rules.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/prepared_function.h"
+#include "core/evaluate/tape/joined_selects.h"
 #include "core/evaluate/tape/loop_range.h"
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/evaluate/tape/tape_axes.h"
@@ -191,13 +192,15 @@ const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Inte
 IntervalGradientEvaluator::IntervalGradientEvaluator(IntervalGradientEvaluator&& other) noexcept = default;
 IntervalGradientEvaluator::~IntervalGradientEvaluator() = default;
 
+std::vector<double> IntervalGradientEvaluator::uniforms() const {
+    std::vector<double> values;
+    for (std::uint32_t k = 0; k < tape_->uniformCount(); ++k)
+        values.push_back(slots_[tape_->firstUniform() + k].value.low);
+    return values;
+}
+
 bool IntervalGradientEvaluator::hasFiner() {
-    if (!parts_) {
-        std::vector<double> uniforms;
-        for (std::uint32_t k = 0; k < tape_->uniformCount(); ++k)
-            uniforms.push_back(slots_[tape_->firstUniform() + k].value.low);
-        parts_ = std::make_unique<UnivariateParts>(*tape_, uniforms);
-    }
+    if (!parts_) parts_ = std::make_unique<UnivariateParts>(*tape_, uniforms());
     return !parts_->empty();
 }
 
@@ -287,16 +290,23 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
         margins_.push_back(marginOf(instruction.operation, all, second));
         return takenSide(instruction.operation, all, second);
     }
+    const bool isJoined = isOpenSelect(instruction.operation, all) && joins(index);
     if (!keepsOpen_ && !takesSides_) {
-        open_[index] = isOpenChoice(instruction.operation, all);
+        open_[index] = isJoined || isOpenChoice(instruction.operation, all);
         chosen_[index] = chosenSide(instruction.operation, all);
     } else if (chosen_[index] != ChosenSide::open) {
         // Not decided anew: a piece that is not the function at a point may have any value there, and what an
         // open choice leaves of both sides has the value of one of them.
         return takenSide(instruction.operation, all, chosen_[index] == ChosenSide::second);
     }
-    if (keepsOpen_ && open_[index]) return openChoice(instruction.operation, all);
+    if (isJoined || (keepsOpen_ && open_[index])) return openChoice(instruction.operation, all);
     return evaluateOperation(instruction.operation, all, crackle);
+}
+
+/// Whether a select is continuous where its condition is 0.
+bool IntervalGradientEvaluator::joins(std::size_t index) {
+    if (joined_.empty()) joined_ = joinedSelects(*tape_, uniforms());
+    return joined_[index];
 }
 
 /// A corner is a choice as that of a magnitude.

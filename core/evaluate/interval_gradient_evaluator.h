@@ -57,8 +57,9 @@ class IntervalGradientEvaluator {
     /// within loops do not count.
     std::size_t openChoices() const;
     /// Result 0 over a box with the k-th of those choices taken as bit k of `sides` says, everywhere: 0 for
-    /// the first operand (or the operand of abs), 1 for the second (or minus it). In the box of that
-    /// evaluate(), or a part of it, the function is one of these at each place.
+    /// the first operand (the operand of abs, the negative case of select), 1 for the second (minus it, the
+    /// other case). In the box of that evaluate(), or a part of it, the function is one of these at each
+    /// place.
     const IntervalGradient& evaluatePiece(std::span<const Interval, 3> box, unsigned sides);
     /// Of the last evaluatePiece(): by how much each side was taken rather than the other, choice by choice.
     /// Where one of these is below 0 the function is another piece. Unbounded for a choice of what may be
@@ -87,6 +88,8 @@ class IntervalGradientEvaluator {
     bool run(double loopAllowance);
     IntervalGradient execute(const Instruction& instruction, std::size_t index, double loopAllowance);
     IntervalGradient executeTriangle(const IntervalGradient& u, std::size_t index);
+    bool joins(std::size_t index);
+    std::vector<double> uniforms() const;
     IntervalGradient runLoop(const Instruction& instruction, double loopAllowance);
 
     std::shared_ptr<const Tape> tape_;
@@ -97,6 +100,7 @@ class IntervalGradientEvaluator {
     std::vector<bool> wantedRoots_;  ///< by instruction: whether IntervalGradient::root is of use
     std::vector<gradient_rules::ChosenSide> chosen_;  ///< by instruction: what the last box decided
     std::vector<double> corners_;                     ///< of those among them that are triangle waves
+    std::vector<bool> joined_;                        ///< by instruction; none until it is asked for
     bool bends_ = true;                               ///< whether second derivatives are asked for
     bool keepsOpen_ = false;                          ///< whether these stay as they are
     bool takesSides_ = false;                         ///< whether they are taken as `sides_` says

@@ -12,8 +12,9 @@ using namespace isoscope::test;
 
 namespace {
 
-FunctionHealth healthOf(const std::string& settings) {
-    const auto scene = studyScene("isosurface { " + settings + " contained_by { box { -1, 1 } } }\n").scene;
+FunctionHealth healthOf(const std::string& settings, const std::string& before = {}) {
+    const auto scene =
+        studyScene(before + "isosurface { " + settings + " contained_by { box { -1, 1 } } }\n").scene;
     return functionHealth(*scene->isosurfaces.at(0).shape, *scene->parameterTable);
 }
 
@@ -69,6 +70,17 @@ class FunctionHealthTest : public QObject {
         QVERIFY(std::abs(one->size - 1) < 1e-6);
         const double jumpAt = 2 * one->place.x + 0.5;
         QVERIFY(std::abs(jumpAt - std::round(jumpAt)) < 1e-8);
+    }
+
+    /// Every entry of a colour map was suspected to be a jump.
+    void entriesOfAColorMapAreKinks() {
+        const FunctionHealth health =
+            healthOf("function { F(2*x, 2*y, 2*z).gray - 0.5 }",
+                     "#declare F = function { pigment { bozo scale 0.5 color_map { [0 rgb 0] [0.2 rgb 0.4] "
+                     "[1 rgb 1] } } }\n");
+        QVERIFY(health.known && of(health, Ailment::jump) == nullptr);
+        const HealthFinding* kink = of(health, Ailment::kink);
+        QVERIFY(kink && kink->confirmed);
     }
 
     void kinks() {

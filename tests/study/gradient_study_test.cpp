@@ -374,9 +374,15 @@ class GradientStudyTest : public QObject {
     }
 
     void whatIsContinuousIsNotCalledAJump() {
-        const GradientBracket b = bracketOf("select(x, -x, 2*x)", unitBox);
-        QCOMPARE(b.state, GradientState::unproven);
-        QVERIFY(b.seams && !b.singularity && b.upper <= 2 * (1 + 1e-9));
+        for (const char* formula : {"select(x, -x, 2*x)", "select(y-0.3, 2*y, 0.9-y)+0*x"}) {
+            const GradientBracket b = bracketOf(formula, unitBox);
+            QCOMPARE(b.state, GradientState::tight);
+            QVERIFY(!b.seams && !b.singularity && b.upper <= 2 * (1 + 1e-9));
+        }
+        // That both sides are the same where 2x is 1 is not seen.
+        const GradientBracket unseen = bracketOf("select(2*x-1, x, 1-x)", unitBox);
+        QCOMPARE(unseen.state, GradientState::unproven);
+        QVERIFY(unseen.seams && !unseen.singularity && unseen.upper <= 1 + 1e-9);
         const GradientBracket wave = bracketOf("sin(3*atan2(y,x))", ContainerBox{{-2, -1, -1}, {-1, 1, 1}});
         QCOMPARE(wave.state, GradientState::tight);
     }

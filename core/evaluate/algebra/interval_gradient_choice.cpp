@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -17,6 +18,18 @@ bool mayJump(const IntervalGradient& a, const IntervalGradient& b) {
 Interval valueOf(Operation operation, const IntervalGradient& a, const IntervalGradient& b) {
     const Interval values[] = {a.value, b.value};
     return isoscope::evaluateOperation(operation, values);
+}
+
+bool isSelect(Operation operation) {
+    return operation == Operation::select3 || operation == Operation::select4;
+}
+
+ChosenSide chosenSideOf(Operation select, const IntervalGradient& condition) {
+    const Interval& value = condition.value;
+    if (condition.wrap != 0 || !value.isDefined()) return ChosenSide::open;
+    if (value.high < 0) return ChosenSide::first;
+    const bool isOther = value.low > 0 || (value.low == 0 && select == Operation::select3);
+    return isOther ? ChosenSide::second : ChosenSide::open;
 }
 
 IntervalGradient extremum(Operation operation, const IntervalGradient& a, const IntervalGradient& b) {
@@ -42,8 +55,15 @@ bool isOpenChoice(Operation operation, Operands operands) {
            (mayJump(*operands[0], *operands[1]) || (a.high > b.low && b.high > a.low));
 }
 
+bool isOpenSelect(Operation operation, Operands operands) {
+    const auto hasCut = [](const IntervalGradient* operand) { return operand->wrap != 0; };
+    return isSelect(operation) && operands[0]->value.isDefined() && std::ranges::none_of(operands, hasCut) &&
+           chosenSideOf(operation, *operands[0]) == ChosenSide::open;
+}
+
 ChosenSide chosenSide(Operation operation, Operands operands) {
     const IntervalGradient& a = *operands[0];
+    if (isSelect(operation)) return chosenSideOf(operation, a);
     if (a.wrap != 0 || a.value.empty() || a.value.maybeUndefined) return ChosenSide::open;
     if (operation == Operation::absolute) {
         if (a.value.low >= 0) return ChosenSide::first;
@@ -61,17 +81,24 @@ ChosenSide chosenSide(Operation operation, Operands operands) {
 IntervalGradient openChoice(Operation operation, Operands operands) {
     const IntervalGradient& a = *operands[0];
     if (operation == Operation::absolute) return magnitudeOf(a);
-    return either(a, *operands[1], valueOf(operation, a, *operands[1]));
+    if (!isSelect(operation)) return either(a, *operands[1], valueOf(operation, a, *operands[1]));
+    const IntervalGradient& negative = *operands[1];
+    const IntervalGradient& other = *operands.back();
+    IntervalGradient result = either(negative, other, hull(negative.value, other.value));
+    result.axes |= a.axes;
+    return result;
 }
 
 IntervalGradient takenSide(Operation operation, Operands operands, bool second) {
     if (operation == Operation::absolute) return second ? scaled(*operands[0], -1) : *operands[0];
+    if (isSelect(operation)) return *operands[second ? operands.size() - 1 : 1];
     return *operands[second ? 1 : 0];
 }
 
 IntervalGradient marginOf(Operation operation, Operands operands, bool second) {
     const IntervalGradient a = resolveWrap(*operands[0]);
     if (operation == Operation::absolute) return second ? scaled(a, -1) : a;
+    if (isSelect(operation)) return second ? a : scaled(a, -1);
     const IntervalGradient b = resolveWrap(*operands[1]);
     if (mayJump(a, b)) return hazardous(Interval::unknown(), a.axes | b.axes, GradientHazard::unknown);
     const IntervalGradient difference = sum(b, scaled(a, -1));

@@ -66,8 +66,10 @@ IntervalGradient aboutCorner(const IntervalGradient& magnitude, double corner);
 
 /// Whether a min, max or abs takes now one side, now the other; its value then; and one of the sides.
 bool isOpenChoice(Operation operation, Operands operands);
+/// Whether a select does so, which then is a choice as these are if it is known not to jump in between.
+bool isOpenSelect(Operation operation, Operands operands);
 IntervalGradient openChoice(Operation operation, Operands operands);
-/// Which side a min, max or abs takes in the whole box, if it is certain.
+/// Which side a min, max, abs or select takes in the whole box, if it is certain.
 enum class ChosenSide : std::uint8_t { open, first, second };
 ChosenSide chosenSide(Operation operation, Operands operands);
 IntervalGradient takenSide(Operation operation, Operands operands, bool second);
