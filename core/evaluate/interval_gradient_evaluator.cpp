@@ -163,6 +163,14 @@ IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape>
             std::make_unique<IntervalGradientEvaluator>(tape_->loops()[k].body, uniforms.loops[k]));
     fold_ = foldOf(*tape_);
     wantedRoots_ = wantedRoots(*tape_);
+    powers_ = wholePowers(*tape_);
+    isBase_.resize(powers_.size());
+    for (std::size_t i = 0; i < powers_.size(); ++i) {
+        if (!wantedRoots_[i]) powers_[i] = {};
+        if (powers_[i].exponent == 0 || powers_[i].base < slots_.size()) continue;
+        isBase_[powers_[i].base - slots_.size()] = true;
+        bases_.resize(powers_.size());
+    }
 }
 
 IntervalGradientEvaluator::IntervalGradientEvaluator(const PreparedFunction& function)
@@ -271,6 +279,7 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
             lastFold_ = {target.value, target.steepness, std::countr_zero(target.axes)};
         }
         if (finely_) parts_->note(i, target);
+        if (isBase_[i]) bases_[i] = target;
     }
     return true;
 }
@@ -284,6 +293,11 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
         instruction.operation == Operation::crackle ? &tape_->crackle(instruction.index) : nullptr;
     const Operands all = std::span(operands).first(instruction.operandCount);
     if (instruction.operation == Operation::triangleWave) return executeTriangle(*operands[0], index);
+    // Of products alone it is not known that they have a root.
+    if (const WholePower& power = powers_[index]; power.exponent > 0) {
+        const IntervalGradient exponent = constant(Interval::point(power.exponent));
+        return evaluateOperation(Operation::power, std::array{&baseOf(power), &exponent}, crackle);
+    }
     if (takesSides_ && open_[index]) {
         const bool second = (sides_ & 1) != 0;
         sides_ >>= 1;
@@ -301,6 +315,11 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
     }
     if (isJoined || (keepsOpen_ && open_[index])) return openChoice(instruction.operation, all);
     return evaluateOperation(instruction.operation, all, crackle);
+}
+
+const IntervalGradient& IntervalGradientEvaluator::baseOf(const WholePower& power) const {
+    const bool isSlot = power.base < slots_.size();
+    return isSlot ? slots_[power.base] : bases_[power.base - slots_.size()];
 }
 
 /// Whether a select is continuous where its condition is 0.

@@ -10,6 +10,7 @@
 #include "core/evaluate/algebra/interval_gradient_rules.h"
 #include "core/evaluate/tape/tape.h"
 #include "core/evaluate/tape/uniform_values.h"
+#include "core/evaluate/tape/whole_powers.h"
 
 namespace isoscope {
 
@@ -88,6 +89,7 @@ class IntervalGradientEvaluator {
     bool run(double loopAllowance);
     IntervalGradient execute(const Instruction& instruction, std::size_t index, double loopAllowance);
     IntervalGradient executeTriangle(const IntervalGradient& u, std::size_t index);
+    const IntervalGradient& baseOf(const WholePower& power) const;
     bool joins(std::size_t index);
     std::vector<double> uniforms() const;
     IntervalGradient runLoop(const Instruction& instruction, double loopAllowance);
@@ -100,6 +102,9 @@ class IntervalGradientEvaluator {
     std::vector<bool> wantedRoots_;  ///< by instruction: whether IntervalGradient::root is of use
     std::vector<gradient_rules::ChosenSide> chosen_;  ///< by instruction: what the last box decided
     std::vector<double> corners_;                     ///< of those among them that are triangle waves
+    std::vector<WholePower> powers_;                  ///< by instruction: those whose roots are of use
+    std::vector<bool> isBase_;                        ///< by instruction: whether it is the base of one
+    std::vector<IntervalGradient> bases_;             ///< by instruction: the last ones
     std::vector<bool> joined_;                        ///< by instruction; none until it is asked for
     bool bends_ = true;                               ///< whether second derivatives are asked for
     bool keepsOpen_ = false;                          ///< whether these stay as they are

@@ -18,15 +18,20 @@ Function randomNorm(std::mt19937_64& random) {
         return std::uniform_real_distribution<double>(low, high)(random);
     };
     return functionOf([&](auto x, auto y, auto z) {
-        const double exponents[] = {1, 1.5, 2, 2, 2.6, 4, 5, 2 / 0.3};
-        const double e = exponents[random() % std::size(exponents)];
+        const double exponents[] = {1, 1.5, 2, 2, 2.6, 3, 4, 5, 6, 2 / 0.3};
+        const auto exponent = [&] { return exponents[random() % std::size(exponents)]; };
+        const double common = exponent();
         const auto part = [&] {
+            const double e = random() % 6 == 0 ? exponent() : common;
             const auto along = number(-2, 2) * x + number(-2, 2) * y + number(-1, 1) * z;
             const auto u = random() % 3 == 0   ? sin(along)
                            : random() % 2 == 0 ? along + number(-1, 1)
                                                : sq(along);
             if (e == 2 && random() % 2 == 0) return sq(u);
             if (e == 4 && random() % 2 == 0) return pow(u, u.number(4));
+            // As the language writes whole powers.
+            const int whole = static_cast<int>(e);
+            if (e > 2 && e == whole && random() % 2 == 0) return powi(whole % 2 == 0 ? u : abs(u), whole);
             return pow(abs(u), u.number(e));
         };
         auto sum = number(0.1, 2) * part() + part();
@@ -34,7 +39,7 @@ Function randomNorm(std::mt19937_64& random) {
         if (random() % 3 == 0) sum = sum + number(0, 0.5);
         if (random() % 4 == 0) sum = sum / number(0.2, 3);
         if (random() % 8 == 0) sum = select(sum, sum, sum.number(number(-1, 1)), sum);
-        const double root = random() % 4 == 0 ? number(1, 3) / e : 1 / e;
+        const double root = random() % 4 == 0 ? number(1, 3) / common : 1 / common;
         return root == 0.5 ? sqrt(sum) : pow(sum, x.number(root));
     });
 }
@@ -68,6 +73,29 @@ class NormGradientTest : public QObject {
         QVERIFY(section.smooth && !section.pieced);
         QVERIFY(section.slope[0].size() < 0.0015 && section.slope[1].low > 0.999);
         QVERIFY(section.bend[bendIndex(0, 0)].size() < 0.05);
+    }
+
+    /// pow(x, 4) is read as products; pow(x, 2) beside it has a smaller exponent.
+    void productsArePowers() {
+        const auto steepness = [](auto make) { return over(make, Box{unit, unit, unit}).steepness; };
+        const auto isAbout = [](double found, double exact) {
+            return found >= exact * (1 - 1e-12) && found < exact * (1 + 1e-9);
+        };
+        for (const int n : {3, 4, 5, 6, 7, 8}) {
+            const double found = steepness([&](auto x, auto y, auto z) {
+                const auto part = [&](auto u) { return powi(n % 2 == 0 ? u : abs(u), n); };
+                return pow(part(x) + part(y) + part(z), x.number(1.0 / n));
+            });
+            QVERIFY2(isAbout(found, 1), qPrintable(QString("%1 for %2").arg(found).arg(n)));
+        }
+        // The root of x^4 + y^2 climbs as x^2 does at most, or y.
+        QVERIFY(isAbout(steepness([](auto x, auto y, auto) { return sqrt(powi(x, 4) + sq(y)); }), 2));
+        QVERIFY(isAbout(steepness([](auto x, auto y, auto) { return sqrt(sq(y) + powi(x, 4)); }), 2));
+        // Of an odd power of what changes its sign there is no root.
+        QVERIFY(
+            !over([](auto x, auto y, auto) { return pow(powi(x, 3) + powi(abs(y), 3), x.number(1.0 / 3)); },
+                  Box{unit, unit, unit})
+                 .bounded());
     }
 
     /// Also about the centre, where the slopes of the sum and its root tell nothing.

@@ -247,6 +247,9 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
     if (a.isConstant() && !keepsPowers && b.bounded()) return moved(b, a.value);
     // Two cuts may lie at different places.
     if (a.wrap != 0 && b.wrap != 0) return sum(resolveWrap(a), resolveWrap(b));
+    if (a.isSumOfPowers() && b.isSumOfPowers() && !sameExponent(a.rootExponent, b.rootExponent))
+        return a.rootExponent > b.rootExponent ? sum(withRootExponent(a, b.rootExponent), b)
+                                               : sum(a, withRootExponent(b, a.rootExponent));
     IntervalGradient result;
     result.value = a.value + b.value;
     if (result.value.empty()) return undefinedEverywhere();

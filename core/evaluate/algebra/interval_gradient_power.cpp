@@ -60,6 +60,24 @@ double spanAbove(double u, double t, double dot) {
 
 }  // namespace
 
+IntervalGradient withRootExponent(const IntervalGradient& s, double exponent) {
+    IntervalGradient result = s;
+    const double e = s.rootExponent / exponent;
+    const Interval root =
+        pow(Interval{std::max(0.0, s.value.low), s.value.high, false}, Interval::point(1 / s.rootExponent));
+    const double steepest = raised(e * pow(root, Interval::point(e - 1)).high) * (1 + 1e-13);
+    result.rootSteepness = raised(steepest * s.rootSteepness);
+    result.rootExponent = std::isfinite(result.rootSteepness) ? exponent : 0;
+    result.root = poweredRoot(s.root, e, s.axes);
+    result.rootSpread = spreadWithin(result.rootSteepness);
+    if (!result.root.known) return result;
+    forEachBend(s.axes, [&](std::size_t i, std::size_t j, std::size_t k) {
+        const auto& slope = result.root.slope;
+        result.rootSpread[k] = i == j ? square(slope[i]) : slope[i] * slope[j];
+    });
+    return result;
+}
+
 void addRoots(const IntervalGradient& s, const IntervalGradient& t, IntervalGradient& result) {
     // The root is a norm of the two roots; its derivatives w in them have the length 1 in the dual norm, with
     // the exponent e' = e / (e - 1). Their Euclidean length is at most 1 for e >= 2, else 2^(1/2 - 1/e').
@@ -161,7 +179,7 @@ IntervalGradient wholePowerOf(const IntervalGradient& u, double n) {
     if (!result.bounded() || result.isConstant()) return result;
     if (u.isSumOfPowers()) {
         useRoot(u, n, result);
-    } else if (std::fmod(n, 2) == 0) {
+    } else if (std::fmod(n, 2) == 0 || u.value.low >= 0) {
         result.rootExponent = n;
         result.rootSteepness = u.steepness;
         result.root = rootOf(u);

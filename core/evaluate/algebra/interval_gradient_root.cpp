@@ -119,6 +119,23 @@ PowerRoot joinedRoot(const PowerRoot& a, const PowerRoot& b, double e, std::uint
     return result;
 }
 
+PowerRoot poweredRoot(const PowerRoot& root, double e, std::uint8_t axes) {
+    PowerRoot result;
+    const SlopeRange first = e * signedPower(root.value, e - 1);
+    const SlopeRange second = (e * (e - 1)) * sizePower(root.value, e - 2);
+    result.value = sizePower(root.value, e);
+    result.known = root.known && result.value.isFinite() && first.isFinite();
+    if (!result.known) return result;
+    for (std::size_t i = 0; i < 3; ++i) result.slope[i] = first * root.slope[i];
+    result.smooth = root.smooth && second.isFinite();
+    if (!result.smooth) return result;
+    forEachBend(axes, [&](std::size_t i, std::size_t j, std::size_t k) {
+        const SlopeRange slopes = i == j ? square(root.slope[i]) : root.slope[i] * root.slope[j];
+        result.bend[k] = second * slopes + first * root.bend[k];
+    });
+    return result;
+}
+
 void usePowerOfRoot(const PowerRoot& root, double exponent, IntervalGradient& result) {
     if (!root.known || result.hazard > GradientHazard::jump) return;
     SlopeRange first, second;

@@ -25,6 +25,9 @@ void forEachBend(std::uint8_t axes, Visit visit) {
 
 /// The products of the components of a gradient of which nothing but its length is known.
 std::array<SlopeRange, 6> spreadWithin(double steepness);
+/// A sum of powers as one with a smaller exponent: |u|^6 is (u^3)^2. No sum of powers where that is not
+/// finite.
+IntervalGradient withRootExponent(const IntervalGradient& s, double exponent);
 /// Tells `result`, the sum of two sums of powers with the same exponent, what is known of its root.
 void addRoots(const IntervalGradient& s, const IntervalGradient& t, IntervalGradient& result);
 
@@ -32,10 +35,12 @@ void addRoots(const IntervalGradient& s, const IntervalGradient& t, IntervalGrad
 constexpr double sameExponents = 1e-14;
 
 /// What is known of u as the root of |u|^e, of a constant that is not negative as a power, of the root of
-/// s times a positive factor, and of the root of the sum of two powers with the same exponent.
+/// s times a positive factor, of |root|^e for e > 1, and of the root of the sum of two powers with the same
+/// exponent.
 PowerRoot rootOf(const IntervalGradient& u);
 PowerRoot constantRoot(const Interval& value, double exponent);
 PowerRoot scaledRoot(const PowerRoot& root, const Interval& factor, double exponent);
+PowerRoot poweredRoot(const PowerRoot& root, double exponent, std::uint8_t axes);
 PowerRoot joinedRoot(const PowerRoot& a, const PowerRoot& b, double exponent, std::uint8_t axes);
 /// Narrows slopes and bends of `result` to those of |root|^exponent, for an exponent >= 1; to be settled.
 void usePowerOfRoot(const PowerRoot& root, double exponent, IntervalGradient& result);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/evaluate/interval_evaluator.h"
+#include "core/evaluate/tape/tape_sources.h"
 
 namespace isoscope {
 
@@ -15,13 +16,10 @@ namespace {
 /// Looking at each select takes the square of this.
 constexpr std::size_t mostInstructions = 1000;
 
-/// An argument, a uniform slot, or behind all slots an instruction: something that has one value at a place.
-using Source = std::size_t;
-
 /// What is known of a slot at the places where a condition is 0: its value, or which source has the same.
 struct Known {
     std::optional<Interval> number;
-    Source source = 0;
+    TapeSource source = 0;
 
     bool isNear(double value) const {
         constexpr double rounding = 1e-13;
@@ -74,7 +72,7 @@ std::optional<std::size_t> sameAs(Operation operation, std::span<const Known> op
     }
 }
 
-Known resultOf(Source source, const Instruction& instruction, std::span<const Known> operands) {
+Known resultOf(TapeSource source, const Instruction& instruction, std::span<const Known> operands) {
     if (const auto same = sameAs(instruction.operation, operands)) return operands[*same];
     const bool ownSettings = instruction.operation == Operation::crackle ||
                              instruction.operation == Operation::sum ||
@@ -90,18 +88,10 @@ Known resultOf(Source source, const Instruction& instruction, std::span<const Kn
 class JoinedSelects {
   public:
     JoinedSelects(const Tape& tape, std::span<const double> uniforms)
-        : tape_(tape), start_(tape.slotCount()), sources_(tape.instructions().size()) {
+        : tape_(tape), start_(tape.slotCount()), sources_(operandSources(tape)) {
         for (std::size_t k = 0; k < start_.size(); ++k) start_[k].source = k;
         for (std::size_t k = 0; k < uniforms.size(); ++k)
             start_[tape.firstUniform() + k].number = Interval::point(uniforms[k]);
-        std::vector<Source> slots(tape.slotCount());
-        for (std::size_t k = 0; k < slots.size(); ++k) slots[k] = k;
-        for (std::size_t i = 0; i < sources_.size(); ++i) {
-            const Instruction& instruction = tape.instructions()[i];
-            for (std::size_t k = 0; k < instruction.operandCount; ++k)
-                sources_[i][k] = slots[instruction.operands[k]];
-            slots[instruction.target] = tape.slotCount() + i;
-        }
     }
 
     bool isJoined(std::size_t select) const {
@@ -109,7 +99,7 @@ class JoinedSelects {
         const auto [zero, value] = zeroOf(sources_[select][0]);
         if (!std::isfinite(value)) return false;
         std::vector<Known> slots = start_;
-        const auto setZero = [&, zero = zero, value = value](Source source, Known& known) {
+        const auto setZero = [&, zero = zero, value = value](TapeSource source, Known& known) {
             if (source == zero) known = {Interval::point(value), source};
         };
         for (std::size_t k = 0; k < slots.size(); ++k) setZero(k, slots[k]);
@@ -119,7 +109,7 @@ class JoinedSelects {
             for (std::size_t k = 0; k < instruction.operandCount; ++k)
                 operands[k] = slots[instruction.operands[k]];
             if (i == select) break;
-            const Source source = tape_.slotCount() + i;
+            const TapeSource source = tape_.slotCount() + i;
             slots[instruction.target] =
                 resultOf(source, instruction, std::span(operands).first(instruction.operandCount));
             setZero(source, slots[instruction.target]);
@@ -132,8 +122,8 @@ class JoinedSelects {
 
   private:
     /// What has which value where a condition is 0, and nowhere else; NaN where that is not known.
-    std::pair<Source, double> zeroOf(Source condition) const {
-        const auto uniform = [&](Source source) {
+    std::pair<TapeSource, double> zeroOf(TapeSource condition) const {
+        const auto uniform = [&](TapeSource source) {
             return source < tape_.slotCount() && tape_.isUniform(static_cast<Slot>(source));
         };
         if (condition < tape_.slotCount()) return {condition, uniform(condition) ? std::nan("") : 0};
@@ -149,8 +139,8 @@ class JoinedSelects {
     }
 
     const Tape& tape_;
-    std::vector<Known> start_;                    ///< by slot, before the first instruction
-    std::vector<std::array<Source, 4>> sources_;  ///< by instruction: of its operands
+    std::vector<Known> start_;  ///< by slot, before the first instruction
+    std::vector<std::array<TapeSource, 4>> sources_;
 };
 
 }  // namespace
