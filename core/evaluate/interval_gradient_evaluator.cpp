@@ -95,11 +95,16 @@ std::vector<bool> wantedRoots(const Tape& tape) {
         slots[instruction.target] = false;
         switch (instruction.operation) {
             case Operation::squareRoot:
+            case Operation::naturalLogarithm:
+            case Operation::decimalLogarithm:
             case Operation::power: slots[instruction.operands[0]] = true; break;
+            case Operation::divide:
+                slots[instruction.operands[1]] = true;
+                if (wanted) slots[instruction.operands[0]] = true;
+                break;
             case Operation::absolute:
             case Operation::add:
             case Operation::multiply:
-            case Operation::divide:
             case Operation::square:
                 for (std::size_t k = 0; wanted && k < instruction.operandCount; ++k)
                     slots[instruction.operands[k]] = true;

@@ -66,7 +66,13 @@ Interval powByWholeNumber(const Interval& a, double n) {
     if (n < 0) return Interval::point(1) / powByWholeNumber(a, -n);
     if (n == 0) return Interval::point(1);
     const auto power = [n](double x) { return std::pow(x, n); };
-    if (std::fmod(n, 2) == 1) return rising(a, power);
+    if (std::fmod(n, 2) == 1) {
+        // Roundings change no sign.
+        Interval result = rising(a, power);
+        if (a.low >= 0) result.low = std::max(result.low, 0.0);
+        if (a.high <= 0) result.high = std::min(result.high, 0.0);
+        return result;
+    }
     const Interval magnitude = abs(a);
     Interval result = rising(magnitude, power);
     result.low = std::max(result.low, 0.0);

@@ -4,6 +4,7 @@
 #include <QTest>
 #include <algorithm>
 
+#include "core/evaluate/tape/tape_axes.h"
 #include "core/evaluate/tape/tape_cost.h"
 #include "core/function/graph_builder.h"
 
@@ -30,6 +31,31 @@ class TapeTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void gradientsDependOnFewerAxes() {
+        const auto axes = [](auto make) {
+            FunctionGraph graph;
+            const Variables v(graph);
+            return gradientAxes(*compile(graph, make(v)));
+        };
+        QCOMPARE(axes([](const Variables& v) { return v.y - sin(v.x); }), std::uint8_t(0b001));
+        QCOMPARE(axes([](const Variables& v) { return 2 * v.x / 3 - (v.y + 1) * 5; }), std::uint8_t(0));
+        QCOMPARE(axes([](const Variables& v) { return max(v.y, v.x) + v.z; }), std::uint8_t(0b011));
+        QCOMPARE(axes([](const Variables& v) { return v.x * v.y - v.z; }), std::uint8_t(0b011));
+        QCOMPARE(axes([](const Variables& v) { return 1 / v.z + v.x; }), std::uint8_t(0b100));
+        QCOMPARE(axes([](const Variables& v) { return sin(v.x + v.y) + v.z; }), std::uint8_t(0b011));
+        FunctionGraph body;
+        const Expression i(body, body.variable(0)), a(body, body.variable(1));
+        const NodeId term = (a * i).node();
+        const Function steps = finish(std::move(body), {term}, 2);
+        FunctionGraph graph;
+        const NodeId captured[] = {graph.variable(1)};
+        const NodeId loop =
+            graph.loop(Operation::sum, graph.parameter(0), graph.constant(3), steps, captured);
+        QCOMPARE(
+            gradientAxes(*compile(graph, Expression(graph, loop) + Expression(graph, graph.variable(0)))),
+            std::uint8_t(0b010));
+    }
+
     void dropsWhatNoResultNeeds() {
         FunctionGraph graph;
         const Variables v(graph);

@@ -276,6 +276,8 @@ class IntervalTest : public QObject {
         QVERIFY(fits(power({-2, 3, false}, whole(2)), 0, 9) && power({-2, 3, false}, whole(2)).low == 0);
         QVERIFY(fits(power({-3, -2, false}, whole(4)), 16, 81));
         QVERIFY(fits(power({-2, 3, false}, whole(3)), -8, 27));
+        // No rounding makes them leave the domain of a root.
+        QVERIFY(power({0, 3, false}, whole(5)).low == 0 && power({-3, 0, false}, whole(5)).high == 0);
         QVERIFY(power({-2, 3, false}, whole(0)) == Interval::point(1));
         QVERIFY(fits(power({2, 4, false}, whole(-1)), 0.25, 0.5));
         QVERIFY(fits(power({-4, -2, false}, whole(-3)), -0.125, -0.015625));

@@ -104,6 +104,7 @@ IntervalGradient afterWrap(const IntervalGradient& a) {
     result.value = a.value - Interval{std::min(least, most), std::max(least, most), false};
     result.wrap = 0;
     result.rootExponent = 0;
+    result.sumsExponentials = false;
     result.origin = 0;
     return result;
 }
@@ -206,7 +207,9 @@ IntervalGradient scaled(const IntervalGradient& a, double factor) {
         forEachBend(a.axes,
                     [&](std::size_t, std::size_t, std::size_t k) { result.bend[k] = factor * a.bend[k]; });
     result.rootExponent = factor > 0 ? a.rootExponent : 0;
-    result.root.known = result.root.known && result.isSumOfPowers();
+    result.sumsExponentials = factor > 0 && a.sumsExponentials;
+    result.root.known = result.root.known && (result.isSumOfPowers() || result.sumsExponentials);
+    if (result.sumsExponentials) result.root = movedRoot(a.root, 1, log(Interval::point(factor)));
     if (result.isSumOfPowers()) {
         result.root = scaledRoot(a.root, Interval::point(factor), a.rootExponent);
         result.rootSteepness = raised(std::pow(factor, 1 / a.rootExponent) * (1 + 1e-14) * a.rootSteepness);
@@ -233,6 +236,7 @@ IntervalGradient moved(const IntervalGradient& a, const Interval& shift) {
     result.origin = 0;
     result.angleSteepness = 0;
     result.rootExponent = 0;
+    result.sumsExponentials = false;
     if (a.wrap != 0)
         result.cutAt = shift.isPoint() ? a.cutAt + shift.low : std::numeric_limits<double>::quiet_NaN();
     return result;
@@ -241,8 +245,8 @@ IntervalGradient moved(const IntervalGradient& a, const Interval& shift) {
 }  // namespace
 
 IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
-    const bool keepsPowers =
-        a.isSumOfPowers() || b.isSumOfPowers() || a.angleSteepness > 0 || b.angleSteepness > 0;
+    const bool keepsPowers = a.isSumOfPowers() || b.isSumOfPowers() || a.angleSteepness > 0 ||
+                             b.angleSteepness > 0 || a.sumsExponentials || b.sumsExponentials;
     if (b.isConstant() && !keepsPowers && a.bounded()) return moved(a, b.value);
     if (a.isConstant() && !keepsPowers && b.bounded()) return moved(b, a.value);
     // Two cuts may lie at different places.
@@ -269,7 +273,18 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
     if (result.smooth)
         forEachBend(result.axes,
                     [&](std::size_t, std::size_t, std::size_t k) { result.bend[k] = a.bend[k] + b.bend[k]; });
-    if (a.isSumOfPowers() && b.isSumOfPowers() && sameExponent(a.rootExponent, b.rootExponent)) {
+    const auto isPositive = [](const IntervalGradient& part) {
+        return part.sumsExponentials || (part.isConstant() && part.value.low > 0);
+    };
+    if ((a.sumsExponentials || b.sumsExponentials) && isPositive(a) && isPositive(b)) {
+        const auto logarithm = [](const IntervalGradient& part) {
+            return part.sumsExponentials ? part.root : constantLogarithm(part.value);
+        };
+        result.root = joinedLogarithm(logarithm(a), logarithm(b), result.axes);
+        result.sumsExponentials = result.root.known;
+        result.rootSteepness =
+            std::max(a.isConstant() ? 0 : a.rootSteepness, b.isConstant() ? 0 : b.rootSteepness);
+    } else if (a.isSumOfPowers() && b.isSumOfPowers() && sameExponent(a.rootExponent, b.rootExponent)) {
         addRoots(a, b, result);
         if (a.rootExponent == b.rootExponent)
             result.root = joinedRoot(a.root, b.root, a.rootExponent, result.axes);

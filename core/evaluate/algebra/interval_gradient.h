@@ -22,7 +22,8 @@ enum class GradientHazard : std::uint8_t {
 };
 
 /// A function whose magnitude is the root of a sum of powers, over a box: of |u|^e it is u itself, of the sum
-/// of two the norm of their roots. Slopes hold wherever it is differentiable.
+/// of two the norm of their roots. Or the logarithm of a sum of exponentials, of exp(u) u itself. Slopes hold
+/// wherever it is differentiable.
 struct PowerRoot {
     bool known = false;
     bool smooth = false;  ///< twice differentiable in the whole box; `bend` is known
@@ -63,6 +64,9 @@ struct IntervalGradient {
     /// For e = 2 also ranges of the matrix that sums up grad(u_i) grad(u_i)^T: sqrt(s) has no gradient longer
     /// than the root of its largest eigenvalue.
     std::array<SlopeRange, 6> rootSpread{};
+    /// A sum of exponentials, exp(u1) + exp(u2) + ..., times positive factors, and no sum of powers: `root`
+    /// is its logarithm, if known, and rootSteepness a Lipschitz constant of that.
+    bool sumsExponentials = false;
     PowerRoot root;  ///< of such a sum
 
     /// Whether the value depends on no coordinate, whether it is a sum of powers whose root is known

@@ -169,6 +169,7 @@ IntervalGradient remainderOf(const IntervalGradient& a, const IntervalGradient& 
     result.hazard = worse(a.hazard, GradientHazard::jump);
     result.smooth = false;
     result.rootExponent = 0;
+    result.sumsExponentials = false;
     result.angleSteepness = 0;
     result.origin = 0;
     if (last - first != 1 || !b.value.isPoint() || !(b.value.low > 0) || !a.bounded() || ratio.maybeUndefined)
@@ -201,6 +202,7 @@ IntervalGradient selectOf(Operands operands) {
         defined) {
         IntervalGradient result = positive;
         result.rootExponent = 0;
+        result.sumsExponentials = false;
         result.origin = 0;
         result.wrap = -operands[2]->value.low;
         result.cutAt = std::numeric_limits<double>::quiet_NaN();
@@ -215,6 +217,7 @@ IntervalGradient selectOf(Operands operands) {
     result.hazard = worse(result.hazard, GradientHazard::jump);
     result.smooth = false;
     result.rootExponent = 0;
+    result.sumsExponentials = false;
     return result;
 }
 

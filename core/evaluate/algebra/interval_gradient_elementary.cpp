@@ -40,12 +40,14 @@ IntervalGradient absoluteOf(const IntervalGradient& u) {
     return magnitudeOf(u);
 }
 
-IntervalGradient logarithmOf(const IntervalGradient& u, const Interval& value, double factor) {
+IntervalGradient logarithmOf(const IntervalGradient& u) {
+    const Interval value = log(u.value);
     if (!u.isConstant() && u.value.high <= 0 && !u.value.empty()) return undefinedEverywhere();
     if (!(u.value.low > 0)) return chain(u, value, {SlopeRange::within(unlimited)}, GradientHazard::pole);
     const Interval inverse = one / u.value;
-    return chain(u, value, derivatives(times(factor, inverse), times(-factor, square(inverse))),
-                 GradientHazard::pole);
+    IntervalGradient result = chain(u, value, derivatives(inverse, -square(inverse)), GradientHazard::pole);
+    useLogarithm(u, result);
+    return result;
 }
 
 /// sin or cos.
@@ -161,12 +163,14 @@ IntervalGradient elementary(Operation operation, const IntervalGradient& operand
         case Operation::squareRoot: return squareRootOf(u);
         case Operation::exponential: {
             const Interval value = exp(x);
-            return chain(u, value, derivatives(value, value), GradientHazard::overflow);
+            IntervalGradient result = chain(u, value, derivatives(value, value), GradientHazard::overflow);
+            useExponential(rootOf(u), u.steepness, result);
+            return result;
         }
-        case Operation::naturalLogarithm: return logarithmOf(u, log(x), 1);
+        case Operation::naturalLogarithm: return logarithmOf(u);
         case Operation::decimalLogarithm: {
             // 1 / ln 10 is itself rounded.
-            IntervalGradient result = logarithmOf(u, log(x), 1);
+            IntervalGradient result = logarithmOf(u);
             if (result.value.empty() || result.isConstant()) return constant(log10(x));
             result = scaled(result, std::nextafter(std::numbers::log10e, 1));
             result.value = log10(x);
@@ -251,6 +255,8 @@ IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b) 
         result.root = scaledRoot(a.root, inverse, a.rootExponent);
         for (std::size_t k = 0; k < 6; ++k) result.rootSpread[k] = rangeOf(inverse) * a.rootSpread[k];
     }
+    if (b.sumsExponentials && b.root.known && a.isConstant() && a.value.isPoint() && a.value.low > 0)
+        useExponential(movedRoot(b.root, -1, log(a.value)), b.rootSteepness, result);
     return result;
 }
 

@@ -189,7 +189,9 @@ IntervalGradient wholePowerOf(const IntervalGradient& u, double n) {
 
 }  // namespace
 
-IntervalGradient powerOf(const IntervalGradient& u, double n) {
+namespace {
+
+IntervalGradient powerOfAny(const IntervalGradient& u, double n) {
     if (n == 0) return constant(Interval::point(1));
     if (u.value.empty()) return undefinedEverywhere();
     if (n == 1) return u;
@@ -230,6 +232,16 @@ IntervalGradient powerOf(const IntervalGradient& u, double n) {
         usePowerOfRoot(result.root, n, result);
         settle(result);
     }
+    return result;
+}
+
+}  // namespace
+
+IntervalGradient powerOf(const IntervalGradient& u, double n) {
+    IntervalGradient result = powerOfAny(u, n);
+    if (u.sumsExponentials && u.root.known && n != 0 && n != 1 && std::isfinite(n))
+        useExponential(movedRoot(u.root, n, Interval::point(0)), raised(std::abs(n) * u.rootSteepness),
+                       result);
     return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The roots of sums of powers: norms, whose derivatives are bounded without those of the sums.
+// The roots of sums of powers: norms, whose derivatives are bounded without those of the sums. So are those
+// of logarithms of sums of exponentials.
 #include <algorithm>
 #include <cmath>
 
@@ -55,6 +56,20 @@ SlopeRange sizePower(const SlopeRange& t, double e) {
     return e >= 0 ? SlopeRange{powerBelow(least, e), powerAbove(most, e)}
                   : SlopeRange{powerBelow(most, e), powerAbove(least, e)};
 }
+
+/// share a + (1 - share) b.
+SlopeRange mixed(const SlopeRange& share, const SlopeRange& a, const SlopeRange& b) {
+    const auto at = [&](double part) {
+        return part * a + SlopeRange{lowered(1 - part), raised(1 - part)} * b;
+    };
+    return hull(at(share.low), at(share.high));
+}
+
+/// exp(a) / (exp(a) + exp(b)), by the difference a - b.
+double shareAt(double difference) { return 1 / (1 + std::exp(-difference)); }
+
+/// ln(exp(a) + exp(b)).
+double logarithmOfSum(double a, double b) { return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b))); }
 
 }  // namespace
 
@@ -134,6 +149,90 @@ PowerRoot poweredRoot(const PowerRoot& root, double e, std::uint8_t axes) {
         result.bend[k] = second * slopes + first * root.bend[k];
     });
     return result;
+}
+
+PowerRoot constantLogarithm(const Interval& value) {
+    PowerRoot root;
+    const Interval logarithm = log(value);
+    root.value = {logarithm.low, logarithm.high};
+    root.known = value.low > 0 && root.value.isFinite();
+    root.smooth = true;
+    return root;
+}
+
+PowerRoot movedRoot(const PowerRoot& root, double factor, const Interval& shift) {
+    PowerRoot result = root;
+    result.value = factor * root.value + SlopeRange{shift.low, shift.high};
+    result.known = root.known && result.value.isFinite();
+    for (SlopeRange& slope : result.slope) slope = factor * slope;
+    for (SlopeRange& bend : result.bend) bend = factor * bend;
+    return result;
+}
+
+PowerRoot joinedLogarithm(const PowerRoot& a, const PowerRoot& b, std::uint8_t axes) {
+    PowerRoot result;
+    if (!a.known || !b.known) return result;
+    const double low = logarithmOfSum(a.value.low, b.value.low),
+                 high = logarithmOfSum(a.value.high, b.value.high);
+    const double slack = powerRounding * (1 + std::abs(low) + std::abs(high));
+    result.value = {low - slack, high + slack};
+    result.known = result.value.isFinite();
+    if (!result.known) return result;
+    const double least = a.value.low - b.value.high, most = a.value.high - b.value.low;
+    const double rounding = powerRounding * (1 + std::abs(least) + std::abs(most));
+    const SlopeRange share{std::max(0.0, lowered(shareAt(least - rounding) * (1 - powerRounding))),
+                           std::min(1.0, raised(shareAt(most + rounding) * (1 + powerRounding)))};
+    for (std::size_t i = 0; i < 3; ++i)
+        if (dependsOn(axes, i)) result.slope[i] = mixed(share, a.slope[i], b.slope[i]);
+    result.smooth = a.smooth && b.smooth;
+    if (!result.smooth) return result;
+    // share (1 - share), which is 1/4 at most.
+    const double nearest = std::clamp(0.5, share.low, share.high);
+    const auto spread = [](double part) { return part * (1 - part); };
+    const SlopeRange both{std::max(0.0, lowered(lowered(std::min(spread(share.low), spread(share.high))))),
+                          raised(raised(spread(nearest)))};
+    std::array<SlopeRange, 3> across{};
+    for (std::size_t i = 0; i < 3; ++i) across[i] = a.slope[i] - b.slope[i];
+    forEachBend(axes, [&](std::size_t i, std::size_t j, std::size_t k) {
+        const SlopeRange bent = i == j ? square(across[i]) : across[i] * across[j];
+        result.bend[k] = mixed(share, a.bend[k], b.bend[k]) + both * bent;
+    });
+    return result;
+}
+
+namespace {
+
+void narrow(SlopeRange& known, const SlopeRange& other) {
+    const SlopeRange both = meet(known, other);
+    if (both.low <= both.high) known = both;
+}
+
+}  // namespace
+
+void useLogarithm(const IntervalGradient& s, IntervalGradient& result) {
+    if (!s.sumsExponentials || !s.root.known || !result.bounded() || result.isConstant()) return;
+    for (std::size_t i = 0; i < 3; ++i) narrow(result.slope[i], s.root.slope[i]);
+    result.steepness = std::min(result.steepness, s.rootSteepness);
+    if (s.root.smooth && result.smooth)
+        for (std::size_t k = 0; k < 6; ++k) narrow(result.bend[k], s.root.bend[k]);
+    settle(result);
+}
+
+void useExponential(const PowerRoot& root, double steepness, IntervalGradient& result) {
+    if (!root.known || !result.bounded() || result.isConstant()) return;
+    result.rootExponent = 0;
+    result.sumsExponentials = true;
+    result.root = root;
+    result.rootSteepness = steepness;
+    const SlopeRange value = rangeOf(result.value);
+    for (std::size_t i = 0; i < 3; ++i) narrow(result.slope[i], value * root.slope[i]);
+    result.steepness = std::min(result.steepness, raised(value.size() * steepness));
+    if (root.smooth && result.smooth)
+        forEachBend(result.axes, [&](std::size_t i, std::size_t j, std::size_t k) {
+            const SlopeRange slopes = i == j ? square(root.slope[i]) : root.slope[i] * root.slope[j];
+            narrow(result.bend[k], value * (slopes + root.bend[k]));
+        });
+    settle(result);
 }
 
 void usePowerOfRoot(const PowerRoot& root, double exponent, IntervalGradient& result) {

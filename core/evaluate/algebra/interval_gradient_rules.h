@@ -42,6 +42,15 @@ PowerRoot constantRoot(const Interval& value, double exponent);
 PowerRoot scaledRoot(const PowerRoot& root, const Interval& factor, double exponent);
 PowerRoot poweredRoot(const PowerRoot& root, double exponent, std::uint8_t axes);
 PowerRoot joinedRoot(const PowerRoot& a, const PowerRoot& b, double exponent, std::uint8_t axes);
+/// The logarithm of exp(a) + exp(b), and a constant and multiples of sums as logarithms of them.
+PowerRoot joinedLogarithm(const PowerRoot& a, const PowerRoot& b, std::uint8_t axes);
+PowerRoot constantLogarithm(const Interval& value);
+/// factor root + shift.
+PowerRoot movedRoot(const PowerRoot& root, double factor, const Interval& shift);
+/// Narrows slopes and bends of `result`, the logarithm of `s`, to what is known of that.
+void useLogarithm(const IntervalGradient& s, IntervalGradient& result);
+/// Tells `result` that it is exp(root), and narrows its slopes and bends to that.
+void useExponential(const PowerRoot& root, double steepness, IntervalGradient& result);
 /// Narrows slopes and bends of `result` to those of |root|^exponent, for an exponent >= 1; to be settled.
 void usePowerOfRoot(const PowerRoot& root, double exponent, IntervalGradient& result);
 

@@ -7,6 +7,7 @@
 
 #include "core/evaluate/algebra/interval_gradient_rules.h"
 #include "core/evaluate/interval_gradient_evaluator.h"
+#include "core/evaluate/tape/tape_axes.h"
 #include "core/evaluate/tape/tape_function.h"
 
 namespace isoscope {
@@ -30,19 +31,6 @@ std::vector<TapeNode> coordinateSlots(const Tape& tape) {
     const auto coordinates = static_cast<std::size_t>(std::min(3, tape.argumentCount()));
     for (std::size_t k = 0; k < coordinates; ++k) slots[k] = k;
     return slots;
-}
-
-/// Whether an operation makes of an operand beside uniform ones a linear function, of which rules know all.
-bool isStraight(const Tape& tape, const Instruction& instruction) {
-    switch (instruction.operation) {
-        case Operation::negate:
-        case Operation::add:
-        case Operation::subtract: return true;
-        case Operation::multiply:
-            return tape.isUniform(instruction.operands[0]) || tape.isUniform(instruction.operands[1]);
-        case Operation::divide: return tape.isUniform(instruction.operands[1]);
-        default: return false;
-    }
 }
 
 /// Through which operand alone each instruction of a tape depends on the coordinates: its immediate dominator
@@ -93,23 +81,26 @@ UnivariateParts::UnivariateParts(const Tape& tape, std::span<const double> unifo
     // The operand of which each is a function. The length of a vector, a root, has a slope of its own that
     // is better known than as a function of its square.
     std::vector<TapeNode> base(firstInstruction + instructions.size());
-    std::vector<std::size_t> bent(base.size());
+    // How many operations that are no straight lines are one after the other behind the base.
+    std::vector<std::size_t> bent(base.size(), 0);
     for (TapeNode k = 0; k < firstInstruction; ++k) base[k] = k;
-    for (std::size_t i = 0; i < instructions.size(); ++i) {
-        const TapeNode node = firstInstruction + i, above = dominators.above(node);
-        const bool isOwn = above == nowhere || instructions[i].operation == Operation::squareRoot;
-        base[node] = isOwn ? node : base[above];
-        bent[node] = isOwn ? 0 : bent[above] + (isStraight(tape, instructions[i]) ? 0 : 1);
-    }
     // The last of each base: what is used by others, or is the result.
     std::vector<bool> isLast(base.size(), false);
     std::vector<TapeNode> slots = coordinateSlots(tape);
     for (std::size_t i = 0; i < instructions.size(); ++i) {
+        const TapeNode node = firstInstruction + i, above = dominators.above(node);
+        const bool isOwn = above == nowhere || instructions[i].operation == Operation::squareRoot;
+        base[node] = isOwn ? node : base[above];
         for (std::size_t k = 0; k < instructions[i].operandCount; ++k) {
             const TapeNode operand = slots[instructions[i].operands[k]];
-            if (operand != nowhere && base[operand] != base[firstInstruction + i]) isLast[operand] = true;
+            if (operand == nowhere) continue;
+            if (base[operand] == base[node])
+                bent[node] = std::max(bent[node], bent[operand]);
+            else
+                isLast[operand] = true;
         }
-        slots[instructions[i].target] = firstInstruction + i;
+        if (!isOwn && !isLinear(tape, instructions[i])) ++bent[node];
+        slots[instructions[i].target] = node;
     }
     if (const TapeNode result = slots[tape.results()[0]]; result != nowhere) isLast[result] = true;
     std::size_t length = 0;

@@ -9,6 +9,7 @@
 
 #include "core/evaluate/prepared_function.h"
 #include "core/evaluate/tape/loop_stop.h"
+#include "core/evaluate/tape/tape_axes.h"
 
 namespace isoscope {
 
@@ -71,6 +72,10 @@ GradientStudy::GradientStudy(const std::shared_ptr<const PreparedFunction>& func
         domain_ = ridge_->searched.domain;
     }
     const auto& searched = ridge_ ? ridge_->searched.function : function;
+    // Of coordinates without which the gradient is known, one value stands for all.
+    const std::uint8_t axes = gradientAxes(*searched->tape());
+    for (int k = 0; k < 3; ++k)
+        if ((axes >> k & 1) == 0) domain_ = domain_.flattened(k);
     for (int k = 0; k < workers_.threads(); ++k)
         examiners_.push_back(std::make_unique<BoxExaminer>(searched, domain_, leftOut_));
 }
@@ -295,7 +300,7 @@ bool GradientStudy::adopt(const ExaminedBox& answer, GradientHazard hazard) {
     }
     if (state == ExaminedBox::State::done) return true;
     const Region region = regionOf(box, bound, finding);
-    if (bound == infinite && beside_ && box.width() <= leftOut_.width() * (1 + 1e-9)) {
+    if (bound == infinite && beside_ && box.width() <= leftOutWidth() * (1 + 1e-9)) {
         leaveOut(box, finding.hazard);
         return true;
     }
@@ -446,6 +451,13 @@ void GradientStudy::putBack(const Region& region) {
 
 double GradientStudy::target() const {
     return std::max({negligibleSlope, dropped_, bracket_.lower * (1 + targetPart * settings_.relativeWidth)});
+}
+
+/// As wide as boxes without a bound may be to be left out. On fewer axes smaller ones cost little.
+double GradientStudy::leftOutWidth() const {
+    const glm::dvec3 extent = domain_.box().high - domain_.box().low;
+    const bool isFlat = extent.x == 0 || extent.y == 0 || extent.z == 0;
+    return isFlat ? 0.5 * leftOut_.width() : leftOut_.width();
 }
 
 bool GradientStudy::isNarrow() const {

@@ -158,6 +158,7 @@ class GradientStudy {
     void setSingular(GradientHazard kind, const glm::dvec3& place);
     bool isNarrow() const;
     double target() const;  ///< what a bound need not be below
+    double leftOutWidth() const;
 
     std::unique_ptr<Ridge> ridge_;  ///< null for a function searched as it is
     GradientDomain domain_;
