@@ -13,6 +13,7 @@
 #include "core/evaluate/tape/joined_selects.h"
 #include "core/evaluate/tape/loop_range.h"
 #include "core/evaluate/tape/loop_stop.h"
+#include "core/evaluate/tape/rounding_cuts.h"
 #include "core/evaluate/tape/tape_axes.h"
 #include "core/evaluate/algebra/univariate_parts.h"
 
@@ -71,8 +72,8 @@ IntervalGradient twoOperands(Operation operation, Operands operands) {
 IntervalGradient withoutWraps(Operation operation, Operands operands, const CrackleSettings* crackle) {
     switch (operation) {
         case Operation::floor:
-        case Operation::ceiling: return wholeNumberOf(*operands[0], valueOf(operation, operands, nullptr));
-        case Operation::truncate: return stepped(operands, valueOf(operation, operands, nullptr));
+        case Operation::ceiling:
+        case Operation::truncate: return wholeNumberOf(*operands[0], valueOf(operation, operands, nullptr));
         case Operation::fraction: return fractionOf(*operands[0], valueOf(operation, operands, nullptr));
         case Operation::select3:
         case Operation::select4: return selectOf(operands);
@@ -168,6 +169,7 @@ IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape>
             std::make_unique<IntervalGradientEvaluator>(tape_->loops()[k].body, uniforms.loops[k]));
     fold_ = foldOf(*tape_);
     wantedRoots_ = wantedRoots(*tape_);
+    cuts_ = roundingCuts(*tape_, this->uniforms());
     powers_ = wholePowers(*tape_);
     isBase_.resize(powers_.size());
     for (std::size_t i = 0; i < powers_.size(); ++i) {
@@ -319,7 +321,9 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
         return takenSide(instruction.operation, all, chosen_[index] == ChosenSide::second);
     }
     if (isJoined || (keepsOpen_ && open_[index])) return openChoice(instruction.operation, all);
-    return evaluateOperation(instruction.operation, all, crackle);
+    const IntervalGradient result = evaluateOperation(instruction.operation, all, crackle);
+    const bool isRest = !std::isnan(cuts_[index]) && operands[0]->wrap == 0;
+    return isRest ? withCut(result, cuts_[index]) : result;
 }
 
 const IntervalGradient& IntervalGradientEvaluator::baseOf(const WholePower& power) const {
@@ -361,7 +365,8 @@ IntervalGradient IntervalGradientEvaluator::runLoop(const Instruction& instructi
     const IntervalGradient& first = slots_[instruction.operands[0]];
     const IntervalGradient& last = slots_[instruction.operands[1]];
     axes |= first.axes | last.axes;
-    if (!first.value.isPoint() || !last.value.isPoint())
+    const auto isKnown = [](const IntervalGradient& end) { return end.value.isPoint() && end.wrap == 0; };
+    if (!isKnown(first) || !isKnown(last))
         return hazardous(Interval::unknown(), axes, GradientHazard::unknown);
     const LoopRange range(first.value.low, last.value.low, loopAllowance);
     if (range.tooLong()) return undefinedEverywhere();

@@ -102,6 +102,7 @@ class IntervalGradientEvaluator {
     std::vector<bool> wantedRoots_;  ///< by instruction: whether IntervalGradient::root is of use
     std::vector<gradient_rules::ChosenSide> chosen_;  ///< by instruction: what the last box decided
     std::vector<double> corners_;                     ///< of those among them that are triangle waves
+    std::vector<double> cuts_;                        ///< by instruction: roundingCuts()
     std::vector<WholePower> powers_;                  ///< by instruction: those whose roots are of use
     std::vector<bool> isBase_;                        ///< by instruction: whether it is the base of one
     std::vector<IntervalGradient> bases_;             ///< by instruction: the last ones

@@ -320,6 +320,22 @@ class IntervalGradientEvaluatorTest : public QObject {
         QCOMPARE(unknown.evaluate(Box{unit, unit, unit}).hazard, GradientHazard::unknown);
     }
 
+    /// The end of a loop was taken for the one number that a floor has before its step.
+    void aLoopToAStepIsUnknown() {
+        FunctionGraph body;
+        const Expression i(body, body.variable(0));
+        const Function steps = finish(std::move(body), {i.node()}, 1);
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0));
+        const NodeId end = floor(x).node();
+        const NodeId loop = graph.loop(Operation::sum, graph.constant(0), end, steps, {});
+        IntervalGradientEvaluator evaluator(Tape::compile(finish(std::move(graph), {loop}, 3)), {});
+        const IntervalGradient across = evaluator.evaluate(Box{Interval{2.5, 3.5, false}, unit, unit});
+        QVERIFY(across.hazard == GradientHazard::unknown && across.value.high >= 6);
+        const IntervalGradient between = evaluator.evaluate(Box{Interval{2.25, 2.5, false}, unit, unit});
+        QVERIFY(between.bounded() && between.value.holds(3) && between.value.width() < 1e-9);
+    }
+
     void aPointHasItsGradient() {
         const Interval p = Interval::point(0.3), q = Interval::point(-0.7);
         const IntervalGradient at = over([](auto x, auto y, auto) { return sq(x) * y; }, {p, q, p});

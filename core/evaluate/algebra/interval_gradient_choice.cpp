@@ -242,8 +242,13 @@ IntervalGradient wholeNumberOf(const IntervalGradient& u, const Interval& value)
     return result;
 }
 
+IntervalGradient withCut(IntervalGradient rest, double at) {
+    if (rest.wrap == -1) rest.cutAt = at;
+    return rest;
+}
+
 IntervalGradient fractionOf(const IntervalGradient& u, const Interval& value) {
-    IntervalGradient result = sum(u, scaled(wholeNumberOf(u, floor(u.value)), -1));
+    IntervalGradient result = withCut(sum(u, scaled(wholeNumberOf(u, floor(u.value)), -1)), 0);
     // Of a pending wrap the value is that before it.
     if (result.wrap == 0) result.value = value;
     return result;

@@ -97,8 +97,10 @@ IntervalGradient remainderOf(const IntervalGradient& a, const IntervalGradient& 
 IntervalGradient selectOf(Operands operands);
 /// int, div, comparisons: constant, or with a jump.
 IntervalGradient stepped(Operands operands, const Interval& value);
-/// floor and ceil, and the fraction: a single step within the box is a wrap.
+/// floor, ceil and int, and the fraction: a single step within the box is a wrap.
 IntervalGradient wholeNumberOf(const IntervalGradient& u, const Interval& value);
+/// What is left of a value less a whole number near it, which has the value `at` before a step of 1.
+IntervalGradient withCut(IntervalGradient rest, double at);
 IntervalGradient fractionOf(const IntervalGradient& u, const Interval& value);
 
 /// A function of three places with slopes in `slope` along them, and none of them together longer than
