@@ -227,6 +227,33 @@ const IntervalGradient& IntervalGradientEvaluator::evaluateFinely(std::span<cons
     return answer;
 }
 
+const IntervalGradient& IntervalGradientEvaluator::evaluateAboutMiddle(std::span<const Interval, 3> box) {
+    std::array<Interval, 3> middle;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double at = 0.5 * box[k].low + 0.5 * box[k].high;
+        middle[k] = Interval::point(at);
+        ways_[k] = {lowered(box[k].low - at), raised(box[k].high - at)};
+    }
+    middles_.resize(tape_->instructions().size());
+    middle_ = Middle::noted;
+    evaluateSlopes(middle);
+    middle_ = Middle::used;
+    const IntervalGradient& answer = evaluate(box);
+    middle_ = Middle::none;
+    return answer;
+}
+
+/// What has a slope everywhere in the box differs no more than that from its value in the middle.
+void IntervalGradientEvaluator::narrowAboutMiddle(std::size_t index, IntervalGradient& target) const {
+    const Interval& middle = middles_[index];
+    if (!target.bounded() || target.wrap != 0 || !target.value.isDefined() || !middle.isDefined()) return;
+    SlopeRange near = rangeOf(middle);
+    for (std::size_t k = 0; k < 3; ++k)
+        if (dependsOn(target.axes, k)) near = near + target.slope[k] * ways_[k];
+    const double low = std::max(target.value.low, near.low), high = std::min(target.value.high, near.high);
+    if (low <= high) target.value = {low, high, false};
+}
+
 const IntervalGradient& IntervalGradientEvaluator::evaluateSlopes(std::span<const Interval, 3> point) {
     bends_ = false;
     const IntervalGradient& answer = evaluate(point);
@@ -286,6 +313,8 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
             lastFold_ = {target.value, target.steepness, std::countr_zero(target.axes)};
         }
         if (finely_) parts_->note(i, target);
+        if (middle_ == Middle::noted) middles_[i] = target.wrap == 0 ? target.value : Interval::unknown();
+        if (middle_ == Middle::used) narrowAboutMiddle(i, target);
         if (isBase_[i]) bases_[i] = target;
     }
     return true;

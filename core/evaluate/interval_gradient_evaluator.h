@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -47,6 +49,11 @@ class IntervalGradientEvaluator {
     /// Whether that is another answer.
     bool hasFiner();
 
+    /// Result 0 as evaluate() has it, with the value of each operation narrowed to what its value in the
+    /// middle of the box and its slopes allow, for twice the work: y/sqrt(x*x+y*y) stays below 1 beside its
+    /// axis.
+    const IntervalGradient& evaluateAboutMiddle(std::span<const Interval, 3> box);
+
     /// Result 0 at a point, without second derivatives.
     const IntervalGradient& evaluateSlopes(std::span<const Interval, 3> point);
 
@@ -89,6 +96,7 @@ class IntervalGradientEvaluator {
     bool run(double loopAllowance);
     IntervalGradient execute(const Instruction& instruction, std::size_t index, double loopAllowance);
     IntervalGradient executeTriangle(const IntervalGradient& u, std::size_t index);
+    void narrowAboutMiddle(std::size_t index, IntervalGradient& target) const;
     const IntervalGradient& baseOf(const WholePower& power) const;
     bool joins(std::size_t index);
     std::vector<double> uniforms() const;
@@ -112,7 +120,11 @@ class IntervalGradientEvaluator {
     bool takesSides_ = false;                         ///< whether they are taken as `sides_` says
     std::unique_ptr<UnivariateParts> parts_;          ///< null until they are asked for
     bool finely_ = false;                             ///< whether they narrow what is evaluated
-    std::optional<std::size_t> fold_;                 ///< its instruction
+    std::vector<Interval> middles_;                   ///< by instruction: its value in the middle of the box
+    std::array<SlopeRange, 3> ways_{};                ///< from there to the sides of the box
+    enum class Middle : std::uint8_t { none, noted, used };
+    Middle middle_ = Middle::none;     ///< what becomes of `middles_`
+    std::optional<std::size_t> fold_;  ///< its instruction
     Fold lastFold_;
     bool folds_ = false;  ///< whether `lastFold_` takes its place
     unsigned sides_ = 0;  ///< of the open choices that are still to come

@@ -336,6 +336,23 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY(between.bounded() && between.value.holds(3) && between.value.width() < 1e-9);
     }
 
+    /// The cosine of the angle from an axis: its operands' ranges alone allow more than 1.
+    void valuesAboutTheMiddleAreNarrower() {
+        const Box beside{Interval{0.1, 0.14, false}, Interval{0.5, 0.54, false},
+                         Interval{-0.02, 0.02, false}};
+        const Function angle = functionOf([](auto x, auto y, auto z) {
+            return apply(Operation::arcCosine, y / sqrt(sq(x) + sq(y) + sq(z)));
+        });
+        IntervalGradientEvaluator evaluator(Tape::compile(angle), {});
+        QCOMPARE(evaluator.evaluate(beside).hazard, GradientHazard::steepEdge);
+        const IntervalGradient narrower = evaluator.evaluateAboutMiddle(beside);
+        // The angle turns by 1 / 0.51 at most.
+        QVERIFY(narrower.bounded() && narrower.steepness > 1 / 0.51 && narrower.steepness < 20);
+        QVERIFY(narrower.value.low <= std::atan2(0.1, 0.54) && narrower.value.high >= std::atan2(0.14, 0.5));
+        // Nothing is kept of the box.
+        QCOMPARE(evaluator.evaluate(beside).hazard, GradientHazard::steepEdge);
+    }
+
     void aPointHasItsGradient() {
         const Interval p = Interval::point(0.3), q = Interval::point(-0.7);
         const IntervalGradient at = over([](auto x, auto y, auto) { return sq(x) * y; }, {p, q, p});

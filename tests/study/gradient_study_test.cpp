@@ -261,6 +261,19 @@ class GradientStudyTest : public QObject {
         }
     }
 
+    /// Angles from an axis as users write them: beside the axis boxes seemed to hold the ends of the arc
+    /// cosine, and a million of them ended without a bound.
+    void anglesFromAnAxisAreBounded() {
+        const GradientBracket angle =
+            bracketOf("acos(max(-1,min(1,y/sqrt(x*x+y*y+z*z+0.001))))-0.5-0.3*x", unitBox);
+        QVERIFY(angle.state == GradientState::tight && angle.boxes < 300'000);
+        const GradientBracket harmonic = bracketOf(
+            "sqrt(x*x+y*y+z*z)-0.7-0.2*sin(4*atan2(z,x))*pow(sin(acos(y/sqrt(x*x+y*y+z*z))),4)", unitBox);
+        QCOMPARE(harmonic.state, GradientState::unbounded);
+        QVERIFY(glm::length(harmonic.place) < 1e-6);
+        QVERIFY(harmonic.beside && harmonic.beside->state == GradientState::tight);
+    }
+
     /// What is added along an axis changes no slope: boxes were halved along it as well, for nothing, and
     /// never came to the tiny steep place along the middle.
     void axesOfConstantSlopesAreNotDivided() {

@@ -99,9 +99,9 @@ inline QString contradiction(const IntervalGradient& answer, ReferenceEvaluator&
     return {};
 }
 
-/// Random functions, as `draw` makes them of a generator that begins at `start`, over three boxes each: both
-/// what is known at once and what evaluateFinely() knows. Nothing is counted if anything does not hold, which
-/// is told.
+/// Random functions, as `draw` makes them of a generator that begins at `start`, over three boxes each: what
+/// is known at once, what evaluateFinely() knows, and evaluateAboutMiddle(). Nothing is counted if anything
+/// does not hold, which is told.
 template <class Draw>
 Checks holdForAll(int rounds, std::uint64_t start, Draw draw) {
     std::mt19937_64 random(start);
@@ -115,6 +115,7 @@ Checks holdForAll(int rounds, std::uint64_t start, Draw draw) {
         for (int tries = 0; tries < 3; ++tries) {
             const Box box = boxAround(random, 3, -5, 0.3);
             const IntervalGradient answer = evaluator.evaluate(box), finer = evaluator.evaluateFinely(box);
+            const IntervalGradient aboutMiddle = evaluator.evaluateAboutMiddle(box);
             checks.finer += finer.steepness < answer.steepness ? 1 : 0;
             for (int pair = 0; pair < 6; ++pair) {
                 const Point p = inside(random, box), q = inside(random, box);
@@ -122,6 +123,7 @@ Checks holdForAll(int rounds, std::uint64_t start, Draw draw) {
                 Checks others;
                 if (wrong.isEmpty()) wrong = contradiction(finer, reference, gradient, p, q, others);
                 if (!(finer.steepness <= answer.steepness)) wrong = "finer";
+                if (wrong.isEmpty()) wrong = contradiction(aboutMiddle, reference, gradient, p, q, others);
                 if (wrong.isEmpty()) continue;
                 qCritical("%s is wrong at %a %a %a in [%a,%a]x[%a,%a]x[%a,%a] for\n%s", qPrintable(wrong),
                           p[0], p[1], p[2], box[0].low, box[0].high, box[1].low, box[1].high, box[2].low,

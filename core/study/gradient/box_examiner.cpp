@@ -74,6 +74,8 @@ ExaminedBox BoxExaminer::examine(GradientBox box, double bound, const BoxQuestio
     answer.steepest = steepest_;
     answer.casesTried = casesTried_;
     answer.casesPaid = casesPaid_;
+    answer.middleTried = middleTried_;
+    answer.middlePaid = middlePaid_;
     answer.finerClass = finerClass_;
     answer.finerPaid = finerPaid_;
     return answer;
@@ -93,7 +95,7 @@ double BoxExaminer::boundAroundCenter() {
 void BoxExaminer::ask(const BoxQuestion& question) {
     question_ = question;
     steepest_ = {};
-    casesTried_ = casesPaid_ = 0;
+    casesTried_ = casesPaid_ = middleTried_ = middlePaid_ = 0;
     finerClass_.reset();
 }
 
@@ -109,8 +111,21 @@ void BoxExaminer::offerIfSteeper(const glm::dvec3& point) {
     if (isSteeper(steepnessAt(point) / (1 + 1e-9))) offerPoint(point);
 }
 
+/// What is known of a box; with more work where that has no bound.
+IntervalGradient BoxExaminer::enclosure(const GradientBox& box) {
+    IntervalGradient whole = intervals_.evaluate(box.intervals());
+    if (!question_.triesMiddle || whole.hazard <= GradientHazard::jump || whole.value.empty()) return whole;
+    const IntervalGradient& aboutMiddle = intervals_.evaluateAboutMiddle(box.intervals());
+    ++middleTried_;
+    if (aboutMiddle.hazard < whole.hazard) {
+        ++middlePaid_;
+        whole = aboutMiddle;
+    }
+    return whole;
+}
+
 BoxFinding BoxExaminer::find(GradientBox& box) {
-    const IntervalGradient whole = intervals_.evaluate(box.intervals());
+    const IntervalGradient whole = enclosure(box);
     BoxFinding finding;
     finding.hazard = whole.hazard;
     // Those are known to be there.

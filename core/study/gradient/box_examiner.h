@@ -30,6 +30,7 @@ struct BoxQuestion {
     bool beside = false;               ///< whether jumps and what is left out are known
     bool placesCount = true;           ///< whether steeper places are looked for
     bool triesCases = true;            ///< whether the cases of open choices are worth their evaluations
+    bool triesMiddle = true;           ///< whether what has no bound is worth evaluateAboutMiddle()
     std::uint32_t finerClasses = ~0U;  ///< bit k: whether finer enclosures are, of a box of distance class k
 };
 
@@ -58,8 +59,9 @@ struct ExaminedBox {
     std::optional<glm::dvec3> jump;  ///< a place where the value jumps; nothing else counts then
     SteepPlace steepest;             ///< the steepest place met that is steeper than asked
     unsigned casesTried = 0, casesPaid = 0;
-    std::optional<std::size_t> finerClass;  ///< the distance class of a box that was enclosed finely
-    bool finerPaid = false;                 ///< whether that was the end of it
+    unsigned middleTried = 0, middlePaid = 0;  ///< evaluateAboutMiddle(), and with less of a hazard
+    std::optional<std::size_t> finerClass;     ///< the distance class of a box that was enclosed finely
+    bool finerPaid = false;                    ///< whether that was the end of it
 };
 
 /// What is proven of the gradient in single boxes, and of values at both sides of a place: the part of a
@@ -110,6 +112,7 @@ class BoxExaminer {
     void offerGradient(const glm::dvec3& point, const IntervalGradient& at);
     void offerIfSteeper(const glm::dvec3& point);
     void offerSteepest(const GradientBox& box, const std::array<SlopeRange, 3>& growth);
+    IntervalGradient enclosure(const GradientBox& box);
     BoxFinding find(GradientBox& box);
     void useCurvature(GradientBox& box, const IntervalGradient& whole, BoxFinding& finding);
     void useFiner(const GradientBox& box, const glm::dvec3& p, const IntervalGradient& at,
@@ -136,6 +139,7 @@ class BoxExaminer {
     BoxQuestion question_;
     SteepPlace steepest_;
     unsigned casesTried_ = 0, casesPaid_ = 0;
+    unsigned middleTried_ = 0, middlePaid_ = 0;
     std::optional<std::size_t> finerClass_;
     bool finerPaid_ = false;
 };

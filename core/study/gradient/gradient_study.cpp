@@ -285,10 +285,11 @@ void GradientStudy::consider(const GradientBox& box, double bound, GradientHazar
 /// with.
 bool GradientStudy::adopt(const ExaminedBox& answer, GradientHazard hazard) {
     if (bracket_.state != GradientState::running) return true;
-    const auto& [state, box, bound, finding, jump, steepest, casesTried, casesPaid, finerClass, finerPaid] =
-        answer;
+    const auto& [state, box, bound, finding, jump, steepest, casesTried, casesPaid, middleTried, middlePaid,
+                 finerClass, finerPaid] = answer;
     accept(steepest);
     for (unsigned k = 0; k < casesTried; ++k) casesPay_.note(k < casesPaid);
+    for (unsigned k = 0; k < middleTried; ++k) middlePays_.note(k < middlePaid);
     if (finerClass) finerPays_[*finerClass].note(finerPaid);
     if (jump) {
         setSingular(GradientHazard::jump, *jump);
@@ -322,6 +323,7 @@ BoxQuestion GradientStudy::question() {
             .beside = beside_,
             .placesCount = !beside_ || besideSampled_,
             .triesCases = casesPay_.tries(),
+            .triesMiddle = middlePays_.tries(),
             .finerClasses = finerClasses};
 }
 

@@ -185,7 +185,7 @@ class GradientStudy {
     bool unresolved_ = false;
     std::uint64_t queuedJumps_ = 0;  ///< regions of the queue that may hold a jump
     int probes_ = 0;
-    Trial casesPay_;
+    Trial casesPay_, middlePays_;
     std::array<Trial, distanceClasses> finerPays_;  ///< by how far the bound is from the target
     unsigned quarters_ = 0;
     std::array<double, distanceClasses>
