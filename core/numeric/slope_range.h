@@ -69,8 +69,11 @@ inline SlopeRange meet(const SlopeRange& a, const SlopeRange& b) {
     return {std::max(a.low, b.low), std::min(a.high, b.high)};
 }
 
-/// An upper bound of the root; 0 for negative numbers.
-inline double rootAbove(double a) { return a > 0 ? raised(std::sqrt(raised(a))) : 0; }
+/// An upper bound of the root; 0 for negative numbers, infinity for a NaN: a bound that overflowed.
+inline double rootAbove(double a) {
+    if (a <= 0) return 0;
+    return a > 0 ? raised(std::sqrt(raised(a))) : std::numeric_limits<double>::infinity();
+}
 /// A lower bound of the root.
 inline double rootBelow(double a) {
     return a > 0 ? std::max(0.0, lowered(std::sqrt(std::max(0.0, lowered(a))))) : 0;

@@ -4,13 +4,14 @@
 #include <QTest>
 
 #include "tests/support/gradient_bounds.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 27182818;
+const std::uint64_t seed = seedSetting(27182818);
 
 Expression ln(Expression a) { return apply(Operation::naturalLogarithm, a); }
 
@@ -81,6 +82,15 @@ class ExponentialGradientTest : public QObject {
                                            Box{Interval{-9, -8, false}, unit, unit});
         QVERIFY(flat.steepness > 0 && flat.steepness < 3 * std::exp(-24) * (1 + 1e-9));
         QVERIFY(flat.slope[0].low > 3 * std::exp(-27) * (1 - 1e-9) / (1 + std::exp(-27)));
+    }
+
+    /// The square of a slope that doubles hold may be beyond them: a product of such slopes had none at all.
+    void slopesWhoseSquaresOverflowAreKnown() {
+        const IntervalGradient steep = over([](auto x, auto y, auto) { return exp(200 * x) * y; },
+                                            Box{Interval{2, 2.001, false}, Interval{1, 1.001, false}, unit});
+        QVERIFY(steep.bounded() && steep.steepness >= 200 * std::exp(400.2) * (1 - 1e-12));
+        QVERIFY(steep.slope[0].high >= 200 * std::exp(400.2) * (1 - 1e-12));
+        QVERIFY(std::isinf(rootAbove(std::nan(""))) && rootAbove(-1) == 0);
     }
 
     /// A sum with anything else, or less than nothing of one, is no sum of exponentials.

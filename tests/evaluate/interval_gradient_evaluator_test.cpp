@@ -8,13 +8,14 @@
 
 #include "core/numeric/noise_bounds.h"
 #include "tests/support/gradient_bounds.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 31415926;
+const std::uint64_t seed = seedSetting(31415926);
 
 }  // namespace
 

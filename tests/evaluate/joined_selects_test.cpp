@@ -6,13 +6,14 @@
 #include <QTest>
 
 #include "tests/support/gradient_bounds.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 20261129;
+const std::uint64_t seed = seedSetting(20261129);
 
 /// How many selects a function has, and how many of them are joined.
 struct Count {

@@ -8,13 +8,14 @@
 #include <QTest>
 
 #include "tests/support/gradient_bounds.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 16180339;
+const std::uint64_t seed = seedSetting(16180339);
 
 Expression whole(Operation rounding, Expression u) { return apply(rounding, u); }
 

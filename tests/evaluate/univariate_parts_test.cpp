@@ -4,13 +4,14 @@
 #include <QTest>
 
 #include "tests/support/gradient_bounds.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 31415926;
+const std::uint64_t seed = seedSetting(31415926);
 
 /// Of one operand, which is a form or a product, and beside it of the coordinates.
 Function randomRidge(std::mt19937_64& random) {
