@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/evaluate/algebra/interval_gradient_rules.h"
@@ -209,8 +210,10 @@ IntervalGradientEvaluator::~IntervalGradientEvaluator() = default;
 
 std::vector<double> IntervalGradientEvaluator::uniforms() const {
     std::vector<double> values;
-    for (std::uint32_t k = 0; k < tape_->uniformCount(); ++k)
-        values.push_back(slots_[tape_->firstUniform() + k].value.low);
+    for (std::uint32_t k = 0; k < tape_->uniformCount(); ++k) {
+        const Interval& value = slots_[tape_->firstUniform() + k].value;
+        values.push_back(value.empty() ? std::numeric_limits<double>::quiet_NaN() : value.low);
+    }
     return values;
 }
 

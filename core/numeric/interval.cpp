@@ -116,7 +116,12 @@ Interval operator*(const Interval& a, const Interval& b) {
     const auto [low, high] = std::minmax_element(products.begin(), products.end());
     const bool undefined = a.maybeUndefined || b.maybeUndefined;
     const auto isZero = [](const Interval& i) { return i.low == 0 && i.high == 0; };
-    if (isZero(a) || isZero(b)) return {0, 0, undefined};
+    // An end may be infinite because nothing is known; both are, where infinity itself is the value.
+    const auto isInfinity = [](const Interval& i) { return i.low == i.high && std::isinf(i.low); };
+    if (isZero(a) || isZero(b)) {
+        if (isInfinity(a) || isInfinity(b)) return Interval::undefined();
+        return {0, 0, undefined};
+    }
     // A product of 0 may stand for one that underflowed; only the signs are certain then.
     const bool sameSigns = (a.low >= 0 && b.low >= 0) || (a.high <= 0 && b.high <= 0);
     const bool oppositeSigns = (a.low >= 0 && b.high <= 0) || (a.high <= 0 && b.low >= 0);
@@ -249,6 +254,8 @@ Interval pow(const Interval& base, const Interval& exponent) {
     if (base.low > 0) return exp(exponent * log(base));
     // A negative base has powers for whole exponents only.
     if (!(exponent.low > 0) || (base.low < 0 && !exponent.isPoint())) return Interval::unknown();
+    // Or for infinity: 0 or infinity.
+    if (base.low < 0 && std::isinf(exponent.low)) return Interval::unknown();
     const Interval part = restrict(base, 0, infinite);
     if (part.empty()) return part;
     const double top = std::max(std::pow(part.high, exponent.low), std::pow(part.high, exponent.high));

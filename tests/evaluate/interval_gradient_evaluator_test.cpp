@@ -220,6 +220,29 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY2(certain > 3000 && excluded > 3000, qPrintable(QString::number(certain)));
     }
 
+    /// A side was excluded at places where what is chosen from has no value, though another operand counts
+    /// there.
+    void marginsOfWhatHasNoValueExcludeNothing() {
+        const Function function = functionOf([](auto x, auto y, auto) { return max(abs(sqrt(x) - 0.5), y); });
+        IntervalGradientEvaluator evaluator(Tape::compile(function), {});
+        evaluator.evaluate(Box{unit, unit, unit});
+        QCOMPARE(evaluator.openChoices(), std::size_t(2));
+        const Box place{Interval::point(-0.5), Interval::point(0.25), Interval::point(0)};
+        for (unsigned sides = 0; sides < 4; ++sides) {
+            evaluator.evaluatePiece(place, sides);
+            for (const IntervalGradient& margin : evaluator.margins()) QVERIFY(!(margin.value.high < 0));
+        }
+    }
+
+    void whatHasNoValueMayHaveAPower() {
+        const Function power = functionOf([](auto x, auto y, auto) { return pow(sqrt(x), y - floor(y)); });
+        const Box place{Interval{-0.5, -0.25, false}, Interval{0, 0.5, false}, unit};
+        IntervalGradientEvaluator evaluator(Tape::compile(power), {});
+        const double at[] = {-0.5, 0, 0};
+        QCOMPARE(ReferenceEvaluator(power).evaluate(at), 1.0);
+        QVERIFY(evaluator.evaluate(place).value.holds(1));
+    }
+
     void noiseStaysWithinItsBounds() {
         using enum Operation;
         const Operation noisy[] = {noise, noiseGradientX, noiseGradientY, noiseGradientZ, add, multiply,

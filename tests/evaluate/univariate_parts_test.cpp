@@ -72,6 +72,15 @@ class UnivariatePartsTest : public QObject {
         QCOMPARE(evaluator.evaluate(Box{unit, unit, unit}).steepness, coarse.steepness);
     }
 
+    /// A constant without a value was infinity to the parts, and the greater one was that.
+    void aConstantWithoutAValueStaysOne() {
+        const Function function =
+            functionOf([](auto, auto, auto z) { return max(sq(z), z.number(std::nan(""))); });
+        IntervalGradientEvaluator evaluator(Tape::compile(function), {});
+        const IntervalGradient fine = evaluator.evaluateFinely(Box{unit, unit, Interval{2, 2.1, false}});
+        QVERIFY(fine.steepness >= 4.2 && fine.slope[2].high >= 4.2);
+    }
+
     void whatHasNoPartsHasNothingFiner() {
         const auto hasFiner = [](auto make) {
             return IntervalGradientEvaluator(Tape::compile(functionOf(make)), {}).hasFiner();

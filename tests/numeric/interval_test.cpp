@@ -276,6 +276,12 @@ class IntervalTest : public QObject {
         QVERIFY(fits(power({-2, 3, false}, whole(2)), 0, 9) && power({-2, 3, false}, whole(2)).low == 0);
         QVERIFY(fits(power({-3, -2, false}, whole(4)), 16, 81));
         QVERIFY(fits(power({-2, 3, false}, whole(3)), -8, 27));
+        const double infinity = std::numeric_limits<double>::infinity();
+        QVERIFY(power({-0.5, -0.25, false}, Interval::point(infinity)).holds(std::pow(-0.5, infinity)));
+        QVERIFY((Interval::point(0) * Interval::point(-infinity)).holds(0 * infinity));
+        QVERIFY((Interval::point(infinity) * Interval::point(0)).holds(0 * infinity));
+        // Unless it is an end of which nothing is known.
+        QVERIFY((Interval::point(0) * Interval{1, infinity, false}) == Interval::point(0));
         // No rounding makes them leave the domain of a root.
         QVERIFY(power({0, 3, false}, whole(5)).low == 0 && power({-3, 0, false}, whole(5)).high == 0);
         QVERIFY(power({-2, 3, false}, whole(0)) == Interval::point(1));

@@ -71,14 +71,16 @@ inline QString contradiction(const IntervalGradient& answer, ReferenceEvaluator&
     if (std::isfinite(fp)) {
         ++checks.values;
         const double rounding = 1e-9 * (1 + std::abs(fp));
-        if (!(fp >= answer.value.low - rounding && fp <= answer.value.high + rounding)) return "value";
+        if (!(fp >= answer.value.low - rounding && fp <= answer.value.high + rounding))
+            return QString("value (%1, %2 to %3)").arg(fp).arg(answer.value.low).arg(answer.value.high);
     }
     if (!answer.bounded() || answer.value.maybeUndefined || !std::isfinite(fp) || !std::isfinite(fq))
         return {};
     const double way = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     const double rounding = 1e-9 * (1 + std::abs(fp) + std::abs(fq));
     ++checks.climbs;
-    if (std::abs(fp - fq) > answer.steepness * way * (1 + 1e-9) + rounding) return "steepness";
+    if (std::abs(fp - fq) > answer.steepness * way * (1 + 1e-9) + rounding)
+        return QString("steepness (%1 by %2)").arg(std::abs(fp - fq)).arg(answer.steepness * way);
     const ValueAndGradient gp = gradient.evaluate(p[0], p[1], p[2]), gq = gradient.evaluate(q[0], q[1], q[2]);
     const auto& a = gp.gradient;
     const double slack = 1e-9 * (1 + answer.steepness);
@@ -94,7 +96,8 @@ inline QString contradiction(const IntervalGradient& answer, ReferenceEvaluator&
         double most = slack;
         for (int j = 0; j < 3; ++j)
             most += answer.bend[bendIndex(i, j)].size() * std::abs(p[j] - q[j]) * (1 + 1e-9);
-        if (std::abs(a[i] - gq.gradient[i]) > most) return "bend";
+        if (std::abs(a[i] - gq.gradient[i]) > most)
+            return QString("bend (%1 by %2)").arg(std::abs(a[i] - gq.gradient[i])).arg(most);
     }
     return {};
 }

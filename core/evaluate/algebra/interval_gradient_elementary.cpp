@@ -265,7 +265,9 @@ IntervalGradient power(const IntervalGradient& base, const IntervalGradient& exp
     const Interval value = pow(base.value, exponent.value);
     if (base.isConstant() && exponent.isConstant()) return constant(value);
     if (value.empty()) return undefinedEverywhere();
-    if (!(base.value.low > 0)) return hazardous(value, base.axes | exponent.axes, GradientHazard::steepEdge);
+    // To the power 0 it is 1, whether the base has a value or not.
+    if (base.value.empty() || exponent.value.empty() || !(base.value.low > 0))
+        return hazardous(value, base.axes | exponent.axes, GradientHazard::steepEdge);
     const IntervalGradient logarithm = elementary(Operation::naturalLogarithm, base);
     return elementary(Operation::exponential, product(exponent, logarithm));
 }
