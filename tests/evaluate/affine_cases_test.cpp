@@ -16,13 +16,14 @@
 #include "tests/support/instruction_sets.h"
 #include "tests/support/random_function.h"
 #include "tests/support/tape_of.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 141421;
+const std::uint64_t seed = seedSetting(141421);
 constexpr std::array shares{0.0, 0.1, 0.35, 0.5, 0.65, 0.9, 1.0};
 constexpr int mostParts = 40;
 

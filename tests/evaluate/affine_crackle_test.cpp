@@ -11,12 +11,13 @@
 #include "core/evaluate/interval_evaluator.h"
 #include "core/function/scalar_operations.h"
 #include "core/numeric/crackle_candidates.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 
 namespace {
 
-constexpr unsigned seed = 20261123;
+const std::uint64_t seed = test::seedSetting(20261123);
 
 /// The points of a piece are rounded to doubles, by 4e-15 along an axis, and so are the distances.
 constexpr double placeRounding = 3e-14;

@@ -10,13 +10,14 @@
 #include "tests/support/exact_evaluator.h"
 #include "tests/support/exact_pieces.h"
 #include "tests/support/random_function.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 31415;
+const std::uint64_t seed = seedSetting(31415);
 
 Function operationFunction(Operation operation, unsigned uniformOperands, std::mt19937_64& random) {
     FunctionGraph graph;

@@ -14,13 +14,14 @@
 #include "tests/support/instruction_sets.h"
 #include "tests/support/random_function.h"
 #include "tests/support/tape_of.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 264575;
+const std::uint64_t seed = seedSetting(264575);
 constexpr int shares = 12;
 
 /// Jumps and what they are made of, without parameters.

@@ -11,13 +11,14 @@
 #include "tests/support/exact_pieces.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/random_function.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 693147;
+const std::uint64_t seed = seedSetting(693147);
 
 BoxLanes randomBoxes(std::mt19937_64& random, double widest) {
     BoxLanes boxes;

@@ -9,6 +9,7 @@
 #include "core/function/graph_builder.h"
 #include "tests/support/random_function.h"
 #include "tests/support/tape_of.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using test::tapeOf;
@@ -16,7 +17,7 @@ using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 4711;
+const std::uint64_t seed = seedSetting(4711);
 constexpr double steep = GradientEvaluator::steepest;
 
 bool same(double a, double b) {

@@ -18,13 +18,14 @@
 #include "tests/support/exact_pieces.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/random_function.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 577215;
+const std::uint64_t seed = seedSetting(577215);
 constexpr std::size_t count = 3 * batchLanes + 5;
 
 using Column = std::vector<double>;

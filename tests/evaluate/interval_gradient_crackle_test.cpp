@@ -8,12 +8,13 @@
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/interval_gradient_evaluator.h"
 #include "core/function/scalar_operations.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 
 namespace {
 
-constexpr unsigned seed = 20261124;
+const std::uint64_t seed = test::seedSetting(20261124);
 
 using Point = std::array<double, 3>;
 using Box = std::array<Interval, 3>;

@@ -16,13 +16,14 @@
 #include "core/numeric/noise_bounds.h"
 #include "core/numeric/noise_gradient.h"
 #include "tests/support/instruction_sets.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 271828;
+const std::uint64_t seed = seedSetting(271828);
 constexpr std::size_t pointCount = 6400;
 
 using Column = std::vector<double>;

@@ -11,13 +11,14 @@
 #include "core/function/builtins/builtin.h"
 #include "core/function/graph_builder.h"
 #include "tests/support/tape_of.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using test::tapeOf;
 
 namespace {
 
-constexpr std::uint64_t seed = 141421;
+const std::uint64_t seed = test::seedSetting(141421);
 
 /// A landscape of f_ridged_mf.
 std::shared_ptr<const Tape> landscape() {

@@ -10,13 +10,14 @@
 #include "tests/support/instruction_sets.h"
 #include "tests/support/random_function.h"
 #include "tests/support/tape_of.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 141421;
+const std::uint64_t seed = seedSetting(141421);
 
 /// The middles of pieces, with a reach to their ends.
 struct Places {

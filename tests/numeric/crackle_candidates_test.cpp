@@ -10,12 +10,13 @@
 #include <vector>
 
 #include "tests/numeric/slow_crackle.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 
 namespace {
 
-constexpr unsigned seed = 20271;
+const std::uint64_t seed = test::seedSetting(20271);
 
 using Point = std::array<double, 3>;
 using Cell = std::array<std::int64_t, 3>;

@@ -7,12 +7,13 @@
 #include <QTest>
 #include <random>
 #include <vector>
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 
 namespace {
 
-constexpr unsigned seed = 1788;
+const std::uint64_t seed = test::seedSetting(1788);
 constexpr double infinite = Interval::infinite;
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double pi = std::numbers::pi;

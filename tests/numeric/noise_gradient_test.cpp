@@ -7,12 +7,13 @@
 #include <random>
 
 #include "core/numeric/noise.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 
 namespace {
 
-constexpr std::uint64_t seed = 77;
+const std::uint64_t seed = test::seedSetting(77);
 
 bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 

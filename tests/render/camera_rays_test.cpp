@@ -3,12 +3,13 @@
 
 #include <QTest>
 #include <random>
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 
 namespace {
 
-constexpr unsigned seed = 31415;
+const std::uint64_t seed = test::seedSetting(31415);
 
 std::vector<Camera> cameras() {
     Camera orthographic;

@@ -8,13 +8,14 @@
 
 #include "core/function/graph_builder.h"
 #include "tests/support/tape_of.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using test::tapeOf;
 
 namespace {
 
-constexpr std::uint64_t seed = 271828;
+const std::uint64_t seed = test::seedSetting(271828);
 
 RootSettings openSettings(double accuracy = 0.001, int maxTrace = 1) {
     RootSettings settings;

@@ -10,12 +10,13 @@
 #include "core/roots/lipschitz/lipschitz_root_finder.h"
 #include "core/roots/lipschitz/tape_field.h"
 #include "tests/roots/sample_lines.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 
 namespace {
 
-constexpr std::uint64_t seed = 314159;
+const std::uint64_t seed = test::seedSetting(314159);
 
 /// A magnet's mandel: near its edge no enclosure of the iteration holds.
 std::shared_ptr<const Tape> magnet() {

@@ -10,6 +10,7 @@
 #include "core/evaluate/prepared_function.h"
 #include "tests/roots/line_table.h"
 #include "tests/roots/sample_lines.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using test::LineTable;
@@ -17,7 +18,7 @@ using test::tapeOf;
 
 namespace {
 
-constexpr std::uint64_t seed = 141421;
+const std::uint64_t seed = test::seedSetting(141421);
 
 /// The roots that bundles find by themselves.
 struct Found {

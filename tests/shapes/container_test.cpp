@@ -6,12 +6,13 @@
 #include <random>
 
 #include "core/shapes/rays/line_interval.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 
 namespace {
 
-constexpr unsigned seed = 16180;
+const std::uint64_t seed = test::seedSetting(16180);
 
 /// Many ordinary rays, and what a scene can bring forth besides.
 std::vector<Ray> someRays() {

@@ -16,12 +16,13 @@
 #include "core/shapes/solids/plane.h"
 #include "core/shapes/solids/sphere.h"
 #include "tests/support/instruction_sets.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 
 namespace {
 
-constexpr unsigned seed = 4711;
+const std::uint64_t seed = test::seedSetting(4711);
 
 ShapePointer isosurface() {
     FunctionGraph graph;

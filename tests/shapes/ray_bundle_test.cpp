@@ -8,12 +8,13 @@
 
 #include "core/scene/camera.h"
 #include "core/shapes/rays/line_interval.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 
 namespace {
 
-constexpr unsigned seed = 2718;
+const std::uint64_t seed = test::seedSetting(2718);
 
 std::vector<Ray> tileRays(const Camera& camera, double u, double v) {
     std::vector<Ray> rays;

@@ -13,13 +13,14 @@
 #include "core/study/gradient/gradient_verdict.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/study_case.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 271828;
+const std::uint64_t seed = seedSetting(271828);
 
 Container containerOf(const QString& text) {
     QString numbers = text;

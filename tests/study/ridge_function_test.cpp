@@ -7,13 +7,14 @@
 
 #include "core/study/gradient/gradient_study.h"
 #include "tests/support/study_case.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 161803;
+const std::uint64_t seed = seedSetting(161803);
 
 const Container box = ContainerBox{{-1.5, -1, -0.25}, {1, 2, 1.75}};
 const Container ball = ContainerSphere{{1, -0.5, 0.25}, 1.25};

@@ -8,13 +8,14 @@
 #include "core/render/render_image.h"
 #include "core/study/view/fitted_view.h"
 #include "tests/support/study_scene.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
 
-constexpr std::uint64_t seed = 161803;
+const std::uint64_t seed = seedSetting(161803);
 
 std::shared_ptr<const Scene> sceneOf(const std::string& text) { return studyScene(text).scene; }
 

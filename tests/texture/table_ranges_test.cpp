@@ -6,12 +6,13 @@
 
 #include "core/texture/density_table.h"
 #include "core/texture/image_table.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 
 namespace {
 
-constexpr unsigned seed = 51109;
+const std::uint64_t seed = test::seedSetting(51109);
 
 class Random {
   public:
