@@ -50,6 +50,10 @@ class ToldMistakesTest : public QObject {
         row("global_settings { noise_generator 7 }", "`noise_generator` must be 1, 2 or 3.");
         row("light_source { 0, 1 area_light x, y, 0, 2 }", "An `area_light` has 1 to");
 
+        // What an array would have behind its name is passed over.
+        row("#declare B[0] = 5; sphere { 0, 1 }", "`B` is not declared, but `[` asks for an array.");
+        row("#declare N = dimension_size(B, 1) + 2; sphere { 0, N }",
+            "asks for an array, but this is not declared.");
         row("#declare A = array[2]; #declare B = A[0];", "This element of `A` has not been given a value.");
         row("#declare A = array[1] { pigment { rgb 1 } } sphere { 0, A[0] }",
             "Expected a float, vector, color or string, but this element of `A` is a pigment.");

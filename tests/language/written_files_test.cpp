@@ -2,6 +2,7 @@
 #include "core/language/directives/written_files.h"
 
 #include <QDir>
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -41,6 +42,29 @@ class WrittenFilesTest : public QObject {
             "#for (I, 1, 256) #fopen F \"a.txt\" write #write (F, S) #fclose F #end sphere { 0, 1 }");
         QCOMPARE(parsed.writtenFiles.at("a.txt").size(), std::size_t(1) << 20);
         QCOMPARE(parsed.diagnostics.front().severity, Severity::note);
+    }
+
+    /// A vector has 2 to 5 components: what a sixth would be written to is not its own.
+    void vectorsAreReadFromFiles() {
+        const QTemporaryDir folder;
+        const auto readBack = [&](const char* content) {
+            QFile file(folder.filePath("v.txt"));
+            if (file.open(QIODevice::WriteOnly)) file.write(content);
+            file.close();
+            ParseOptions options;
+            options.file = folder.filePath("scene.pov").toStdString();
+            return parseScene("#fopen F \"v.txt\" read #read (F, V) #fclose F sphere { V, 1 }", options);
+        };
+        const ParseResult three = readBack("<1, -2, 3>");
+        const Value* value = three.symbols->find("V");
+        QVERIFY(value && std::holds_alternative<VectorValue>(value->data));
+        QCOMPARE(std::get<VectorValue>(value->data).count, 3);
+        QCOMPARE(std::get<VectorValue>(value->data).components[1], -2.0);
+        QVERIFY(std::holds_alternative<VectorValue>(readBack("<1, 2, 3, 4, 5>").symbols->find("V")->data));
+        for (const char* content : {"<1, 2, 3, 4, 5, 6>", "<1>", "<1, 2", "<1; 2>"}) {
+            const ParseResult parsed = readBack(content);
+            QVERIFY2(parsed.symbols->find("V") == nullptr && hasErrors(parsed.diagnostics), content);
+        }
     }
 
     void filesMustBeOpenToBeRead() {

@@ -221,6 +221,22 @@ class CertifiedRootFinderTest : public QObject {
         }
     }
 
+    void settingsAreThoseThatPovrayWouldUse() {
+        RootSettings settings;
+        settings.accuracy = -1;
+        settings.maxGradient = std::nan("");
+        settings.maxTrace = 50;
+        settings.evaluate = {0, 0.5, 2};
+        const RootSettings used = settings.usable();
+        QVERIFY(used.accuracy == RootSettings().accuracy && used.maxGradient == RootSettings().maxGradient);
+        QCOMPARE(used.maxTrace, 10);
+        QCOMPARE(*used.evaluate, (std::array<double, 3>{RootSettings().maxGradient, 1, 1}));
+        settings.maxTrace = -3;
+        QCOMPARE(settings.usable().maxTrace, 1);
+        settings.maxTrace = 7;
+        QCOMPARE(settings.usable().maxTrace, 7);
+    }
+
     void closedContainersHaveWalls() {
         RootSettings settings;
         settings.maxTrace = 10;
