@@ -247,8 +247,12 @@ const IntervalGradient& IntervalGradientEvaluator::evaluateAboutMiddle(std::span
 }
 
 /// What has a slope everywhere in the box differs no more than that from its value in the middle.
-void IntervalGradientEvaluator::narrowAboutMiddle(std::size_t index, IntervalGradient& target) const {
-    const Interval& middle = middles_[index];
+void IntervalGradientEvaluator::useMiddle(std::size_t index, IntervalGradient& target) {
+    Interval& middle = middles_[index];
+    if (middle_ == Middle::noted) {
+        middle = target.wrap == 0 ? target.value : Interval::unknown();
+        return;
+    }
     if (!target.bounded() || target.wrap != 0 || !target.value.isDefined() || !middle.isDefined()) return;
     SlopeRange near = rangeOf(middle);
     for (std::size_t k = 0; k < 3; ++k)
@@ -316,8 +320,7 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
             lastFold_ = {target.value, target.steepness, std::countr_zero(target.axes)};
         }
         if (finely_) parts_->note(i, target);
-        if (middle_ == Middle::noted) middles_[i] = target.wrap == 0 ? target.value : Interval::unknown();
-        if (middle_ == Middle::used) narrowAboutMiddle(i, target);
+        if (middle_ != Middle::none) useMiddle(i, target);
         if (isBase_[i]) bases_[i] = target;
     }
     return true;
@@ -353,9 +356,9 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
         return takenSide(instruction.operation, all, chosen_[index] == ChosenSide::second);
     }
     if (isJoined || (keepsOpen_ && open_[index])) return openChoice(instruction.operation, all);
-    const IntervalGradient result = evaluateOperation(instruction.operation, all, crackle);
-    const bool isRest = !std::isnan(cuts_[index]) && operands[0]->wrap == 0;
-    return isRest ? withCut(result, cuts_[index]) : result;
+    if (!std::isnan(cuts_[index]) && operands[0]->wrap == 0)
+        return withCut(evaluateOperation(instruction.operation, all), cuts_[index]);
+    return evaluateOperation(instruction.operation, all, crackle);
 }
 
 const IntervalGradient& IntervalGradientEvaluator::baseOf(const WholePower& power) const {

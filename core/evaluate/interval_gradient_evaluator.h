@@ -96,7 +96,7 @@ class IntervalGradientEvaluator {
     bool run(double loopAllowance);
     IntervalGradient execute(const Instruction& instruction, std::size_t index, double loopAllowance);
     IntervalGradient executeTriangle(const IntervalGradient& u, std::size_t index);
-    void narrowAboutMiddle(std::size_t index, IntervalGradient& target) const;
+    void useMiddle(std::size_t index, IntervalGradient& target);
     const IntervalGradient& baseOf(const WholePower& power) const;
     bool joins(std::size_t index);
     std::vector<double> uniforms() const;

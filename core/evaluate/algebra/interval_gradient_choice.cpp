@@ -98,7 +98,7 @@ IntervalGradient takenSide(Operation operation, Operands operands, bool second) 
 IntervalGradient marginOf(Operation operation, Operands operands, bool second) {
     const IntervalGradient a = resolveWrap(*operands[0]);
     const bool isOwn = operation == Operation::absolute || isSelect(operation);
-    const IntervalGradient b = isOwn ? a : resolveWrap(*operands[1]);
+    const IntervalGradient b = resolveWrap(*operands[isOwn ? 0 : 1]);
     if (mayJump(a, b)) return hazardous(Interval::unknown(), a.axes | b.axes, GradientHazard::unknown);
     if (operation == Operation::absolute) return second ? scaled(a, -1) : a;
     if (isSelect(operation)) return second ? a : scaled(a, -1);
