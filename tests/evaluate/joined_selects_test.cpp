@@ -86,6 +86,10 @@ class JoinedSelectsTest : public QObject {
         QCOMPARE(countOf([](auto x, auto y, auto) { return select(x, x, y, x); }), (Count{1, 0}));
         QCOMPARE(countOf([](auto x, auto y, auto z) { return select(x - 0.5, y + x, z + x); }),
                  (Count{1, 0}));
+        // However small a step is.
+        QCOMPARE(countOf([](auto x, auto y, auto) { return select(x, 1e-15 + y, y); }), (Count{1, 0}));
+        QCOMPARE(countOf([](auto x, auto, auto) { return select(x, x.number(1e-20), x.number(2e-20)); }),
+                 (Count{1, 0}));
         // At 0 there is no value.
         QCOMPARE(countOf([](auto x, auto, auto) { return select(x, 1 / x, 1 / x + 1); }), (Count{1, 0}));
         // Equal where x is 1, but that is not where the condition is 0.

@@ -21,10 +21,10 @@ struct Known {
     std::optional<Interval> number;
     TapeSource source = 0;
 
-    bool isNear(double value) const {
+    /// Whether it is `value`, but for roundings.
+    bool isAbout(double value) const {
         constexpr double rounding = 1e-13;
-        return number && std::abs(number->low - value) < rounding &&
-               std::abs(number->high - value) < rounding;
+        return number && number->low <= value && value <= number->high && number->width() < rounding;
     }
 };
 
@@ -45,18 +45,18 @@ bool isSelect(Operation operation) {
 std::optional<std::size_t> sameAs(Operation operation, std::span<const Known> operands) {
     switch (operation) {
         case Operation::add:
-            if (operands[0].isNear(0)) return 1;
+            if (operands[0].isAbout(0)) return 1;
             [[fallthrough]];
         case Operation::subtract:
-            if (operands[1].isNear(0)) return 0;
+            if (operands[1].isAbout(0)) return 0;
             return {};
         case Operation::multiply:
             // Also 0 times anything.
-            if (operands[0].isNear(1) || operands[1].isNear(0)) return 1;
-            if (operands[1].isNear(1) || operands[0].isNear(0)) return 0;
+            if (operands[0].isAbout(1) || operands[1].isAbout(0)) return 1;
+            if (operands[1].isAbout(1) || operands[0].isAbout(0)) return 0;
             return {};
         case Operation::divide:
-            if (operands[1].isNear(1)) return 0;
+            if (operands[1].isAbout(1)) return 0;
             return {};
         case Operation::select3:
         case Operation::select4: {
