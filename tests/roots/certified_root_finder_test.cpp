@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/roots/certified/certified_root_finder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <QTest>
 #include <random>
 
 #include "core/function/graph_builder.h"
+#include "tests/roots/line_table.h"
 #include "tests/support/tape_of.h"
 #include "tests/support/test_setting.h"
 
@@ -235,6 +237,41 @@ class CertifiedRootFinderTest : public QObject {
         QCOMPARE(settings.usable().maxTrace, 1);
         settings.maxTrace = 7;
         QCOMPARE(settings.usable().maxTrace, 7);
+    }
+
+    /// A bundle of lines of all directions is so wide that the rest of them, a part of its width, was passed
+    /// over.
+    void linesOfAllDirectionsAreSearchedToTheirEnds() {
+        std::mt19937_64 random(seed);
+        const auto uniform = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
+        const auto plane = tapeOf([](auto, auto, auto z) { return z * 0.19 - 1.23; });
+        CertifiedRootFinder finder(plane, {}, openSettings());
+        int crossed = 0;
+        for (int round = 0; round < 100; ++round) {
+            std::vector<LineQuery> lines;
+            for (int i = 0; i < 64; ++i) {
+                const glm::dvec3 direction(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+                lines.push_back({{uniform(-3, 3), uniform(-3, 3), uniform(-3, 3)},
+                                 glm::normalize(direction),
+                                 0,
+                                 uniform(1, 5)});
+            }
+            const test::LineTable table(lines);
+            FirstRoots roots;
+            finder.findFirst(table.columns(), {0, false, {}}, roots);
+            for (std::size_t i = 0; i < lines.size(); ++i) {
+                const LineQuery& line = lines[i];
+                if (!(line.origin.z + line.far * line.direction.z > 1.23 / 0.19 + 1e-3)) continue;
+                ++crossed;
+                const bool isOther =
+                    std::ranges::any_of(roots.others, [&](const auto& other) { return other.line == i; });
+                QVERIFY(isOther || std::isfinite(roots.crossings[FirstRoots::t][i]));
+                QCOMPARE(finder.verdicts()[i], Verdict::certifiedHit);
+            }
+        }
+        QVERIFY(crossed > 3);
     }
 
     void closedContainersHaveWalls() {

@@ -117,8 +117,10 @@ struct MarchStep {
     /// The end is reached exactly, whatever the sum of the pieces is rounded to.
     HWY_INLINE void advance(Mask where, Vector length) {
         const Vector rest = hn::Sub(far, t);
-        const Mask through = hn::Or(hn::Ge(length, rest),
-                                    hn::Lt(hn::Sub(rest, length), hn::Mul(resolution, constant(1.0 / 64))));
+        // The resolution of a bundle may be longer than its lines.
+        const Vector slack =
+            hn::Min(hn::Mul(resolution, constant(1.0 / 64)), hn::Mul(constant(0x1p-30), hn::Abs(far)));
+        const Mask through = hn::Or(hn::Ge(length, rest), hn::Lt(hn::Sub(rest, length), slack));
         t = hn::IfThenElse(where, hn::IfThenElse(through, far, hn::Add(t, length)), t);
     }
 
