@@ -72,6 +72,22 @@ class UnivariatePartsTest : public QObject {
         QCOMPARE(evaluator.evaluate(Box{unit, unit, unit}).steepness, coarse.steepness);
     }
 
+    /// A sigmoid is no steeper than a quarter, and bends by 1/(6 sqrt 3) at most.
+    void aSigmoidIsKnownFinely() {
+        const Function sigmoid =
+            functionOf([](auto x, auto y, auto z) { return 1 / (1 + exp(-(x + y + z))); });
+        IntervalGradientEvaluator evaluator(Tape::compile(sigmoid), {});
+        QVERIFY(evaluator.hasFiner());
+        const double steepest = std::sqrt(3.0) / 4, bent = 1 / (6 * std::sqrt(3.0));
+        const IntervalGradient fine = evaluator.evaluateFinely(Box{unit, unit, unit});
+        QVERIFY(fine.steepness >= steepest && fine.steepness < 2.5 * steepest);
+        const Interval part{-0.25, 0.25, false};
+        const IntervalGradient near = evaluator.evaluateFinely(Box{part, part, part});
+        QVERIFY(near.steepness >= steepest && near.steepness < 1.06 * steepest);
+        QVERIFY(near.slope[0].low > 0 && near.slope[0].high < 1.06 * 0.25);
+        QVERIFY(near.bend[0].size() < 3 * bent);
+    }
+
     /// A constant without a value was infinity to the parts, and the greater one was that.
     void aConstantWithoutAValueStaysOne() {
         const Function function =
