@@ -58,7 +58,11 @@ class PovrayProcessTest : public QObject {
     }
 
   private slots:
-    void initTestCase() { path_ = qgetenv("PATH"); }
+    void initTestCase() {
+        path_ = qgetenv("PATH");
+        // A place of its own for temporary files: other tests draw with POV-Ray at the same time.
+        qputenv("TMPDIR", folder_.path().toLocal8Bit());
+    }
     void cleanup() { qputenv("PATH", path_); }
 
     void progressAndPictureComeFromTheProgram() {
