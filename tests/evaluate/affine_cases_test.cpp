@@ -97,10 +97,17 @@ std::array<std::vector<Part>, batchLanes> divide(AffineEvaluator& evaluator, con
     return done;
 }
 
-/// Whether the form of the part admits `value` at t; also where t is beside it.
-bool holds(const Part& part, double t, const ExactNumber& value) {
-    const double share = part.length > 0 ? (t - part.start) / part.length : 0.5;
-    return share >= -1e-9 && share <= 1 + 1e-9 && admits(part.form, std::clamp(share, 0.0, 1.0), value);
+/// Whether the form of the part admits `value` at t; also where t is beside it by a rounding.
+bool holds(const Part& part, const ExactNumber& t, const ExactNumber& value) {
+    ExactNumber share(0.5);
+    if (part.length > 0) {
+        mpfr_sub_d(share.get(), t.get(), part.start, MPFR_RNDN);
+        mpfr_div_d(share.get(), share.get(), part.length, MPFR_RNDN);
+    }
+    const double rounded = share.rounded();
+    if (rounded < -1e-9 || rounded > 1 + 1e-9) return false;
+    if (rounded < 0 || rounded > 1) share = ExactNumber(std::clamp(rounded, 0.0, 1.0));
+    return admits(part.form, share, value);
 }
 
 /// A piece along the x axis from `start` on, in all lanes.
@@ -140,7 +147,7 @@ class AffineCasesTest : public QObject {
                 if (parts[lane].empty()) continue;
                 for (const double share : shares) {
                     bool regular = true;
-                    const double t = pieces.start[lane] + share * pieces.length[lane];
+                    const ExactNumber t = distanceAt(pieces, lane, share);
                     const ExactNumber value =
                         evaluateExactly(function, pointAt(pieces, lane, share), {}, regular);
                     if (!regular) continue;

@@ -28,11 +28,17 @@ inline RayPieces randomPieces(std::mt19937_64& random) {
     return pieces;
 }
 
-/// The point at start + share * length, exactly.
-inline std::array<ExactNumber, 3> pointAt(const RayPieces& pieces, std::size_t lane, double share) {
+/// start + share * length, exactly.
+inline ExactNumber distanceAt(const RayPieces& pieces, std::size_t lane, double share) {
     ExactNumber t(share);
     mpfr_mul_d(t.get(), t.get(), pieces.length[lane], MPFR_RNDN);
     mpfr_add_d(t.get(), t.get(), pieces.start[lane], MPFR_RNDN);
+    return t;
+}
+
+/// The point at that distance, exactly.
+inline std::array<ExactNumber, 3> pointAt(const RayPieces& pieces, std::size_t lane, double share) {
+    const ExactNumber t = distanceAt(pieces, lane, share);
     std::array<ExactNumber, 3> point;
     for (int k = 0; k < 3; ++k) {
         mpfr_mul_d(point[k].get(), t.get(), pieces.direction[k][lane], MPFR_RNDN);
@@ -42,16 +48,22 @@ inline std::array<ExactNumber, 3> pointAt(const RayPieces& pieces, std::size_t l
 }
 
 /// Whether the form admits `value` at the share (0 to 1) of the piece.
-inline bool admits(const AffineForm& form, double share, const ExactNumber& value) {
+inline bool admits(const AffineForm& form, const ExactNumber& share, const ExactNumber& value) {
     if (form.e == -INFINITY) return value.isNan();
     if (!(form.e < INFINITY)) return true;
     if (value.isNan()) return false;
     // |value - a - b s| <= e, at 200 bits.
-    ExactNumber rest(2 * share - 1);
+    ExactNumber rest(share);
+    mpfr_mul_d(rest.get(), rest.get(), 2, MPFR_RNDN);
+    mpfr_sub_d(rest.get(), rest.get(), 1, MPFR_RNDN);
     mpfr_mul_d(rest.get(), rest.get(), form.b, MPFR_RNDN);
     mpfr_add_d(rest.get(), rest.get(), form.a, MPFR_RNDN);
     mpfr_sub(rest.get(), value.get(), rest.get(), MPFR_RNDN);
     return mpfr_cmpabs(rest.get(), ExactNumber(form.e).get()) <= 0;
+}
+
+inline bool admits(const AffineForm& form, double share, const ExactNumber& value) {
+    return admits(form, ExactNumber(share), value);
 }
 
 }  // namespace isoscope::test
