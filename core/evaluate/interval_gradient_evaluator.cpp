@@ -15,6 +15,7 @@
 #include "core/evaluate/tape/loop_range.h"
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/evaluate/tape/rounding_cuts.h"
+#include "core/evaluate/tape/shared_roots.h"
 #include "core/evaluate/tape/tape_axes.h"
 #include "core/evaluate/algebra/univariate_parts.h"
 
@@ -161,6 +162,8 @@ IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape>
     : tape_(std::move(tape)),
       slots_(tape_->slotCount()),
       open_(tape_->instructions().size()),
+      links_(linkedChoices(*tape_)),
+      taken_(open_.size()),
       chosen_(open_.size()),
       corners_(open_.size()) {
     for (std::size_t k = 0; k < uniforms.values.size(); ++k)
@@ -169,6 +172,7 @@ IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape>
         loops_.push_back(
             std::make_unique<IntervalGradientEvaluator>(tape_->loops()[k].body, uniforms.loops[k]));
     fold_ = foldOf(*tape_);
+    for (const std::size_t root : sharedRoots(*tape_)) roots_.push_back({root, {}});
     wantedRoots_ = wantedRoots(*tape_);
     cuts_ = roundingCuts(*tape_, this->uniforms());
     powers_ = wholePowers(*tape_);
@@ -192,8 +196,12 @@ const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Inte
                                                             std::size_t result) {
     ++evaluations_;
     const auto argumentCount = static_cast<std::size_t>(tape_->argumentCount());
+    const bool isOfRoots = firstRoot_ && *firstRoot_ < roots_.size();
     for (std::size_t k = 0; k < argumentCount; ++k)
-        slots_[k] = k < 3 ? coordinate(k, box[k]) : constant(Interval::point(0));
+        slots_[k] = k >= 3      ? constant(Interval::point(0))
+                    : isOfRoots ? constant(box[k])
+                                : coordinate(k, box[k]);
+    blurred_ = false;
     // What is not smooth has no second derivatives, nor has what is made of it.
     for (std::size_t k = 0; k < std::min<std::size_t>(argumentCount, 3); ++k) slots_[k].smooth = bends_;
     const bool ended = run(LoopRange::topAllowance);
@@ -276,7 +284,28 @@ const IntervalGradient& IntervalGradientEvaluator::evaluatePieces(std::span<cons
 }
 
 std::size_t IntervalGradientEvaluator::openChoices() const {
-    return static_cast<std::size_t>(std::count(open_.begin(), open_.end(), true));
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < open_.size(); ++i) count += open_[i] && !isLed(i) ? 1 : 0;
+    return count;
+}
+
+/// Whether an earlier choice that is open decides this one.
+bool IntervalGradientEvaluator::isLed(std::size_t index) const {
+    const std::size_t first = links_[index].first;
+    return first != LinkedChoice::none && open_[first];
+}
+
+/// The side that an open choice takes, as `sides_` says: whether it is the second one.
+bool IntervalGradientEvaluator::nextSide(std::size_t index) {
+    bool second = false;
+    if (isLed(index)) {
+        second = taken_[links_[index].first] != links_[index].reversed;
+    } else {
+        second = (sides_ & 1) != 0;
+        sides_ >>= 1;
+    }
+    taken_[index] = second;
+    return second;
 }
 
 const IntervalGradient& IntervalGradientEvaluator::evaluatePiece(std::span<const Interval, 3> box,
@@ -299,6 +328,47 @@ const IntervalGradient& IntervalGradientEvaluator::evaluateFolded(std::span<cons
     return answer;
 }
 
+double IntervalGradientEvaluator::steepnessByRoots(std::span<const Interval, 3> box) {
+    constexpr std::size_t axes = 3;
+    evaluate(box);
+    double total = 0;
+    // The coordinates come last.
+    for (std::size_t first = 0; first <= roots_.size();) {
+        firstRoot_ = first;
+        const IntervalGradient& part = evaluateSlopes(box);
+        firstRoot_.reset();
+        if (!part.bounded() || part.value.empty() || part.value.maybeUndefined) return unlimited;
+        if (first == roots_.size()) return raised(total + part.steepness);
+        const std::size_t end = std::min(first + axes, roots_.size());
+        for (std::size_t k = first; k < end; ++k)
+            total = raised(total + raised(part.slope[k - first].size() * roots_[k].last.steepness));
+        first = end;
+    }
+    return unlimited;
+}
+
+/// A root while roots and coordinates are independent of each other; none for what is not one.
+std::optional<IntervalGradient> IntervalGradientEvaluator::rootInstead(std::size_t index) {
+    if (!firstRoot_) return {};
+    for (std::size_t k = 0; k < roots_.size(); ++k) {
+        if (roots_[k].instruction != index) continue;
+        const IntervalGradient& last = roots_[k].last;
+        if (!last.bounded() || last.value.maybeUndefined)
+            return hazardous(last.value, last.axes, GradientHazard::unknown);
+        if (k < *firstRoot_ || k >= *firstRoot_ + 3) return constant(last.value);
+        return coordinate(k - *firstRoot_, last.value);
+    }
+    return {};
+}
+
+void IntervalGradientEvaluator::noteRoot(std::size_t index, const IntervalGradient& root) {
+    for (Root& known : roots_) {
+        if (known.instruction != index) continue;
+        known.last = root;
+        blurred_ = blurred_ || !root.smooth;
+    }
+}
+
 /// Whether it came to the end before a stop did.
 bool IntervalGradientEvaluator::run(double loopAllowance) {
     constexpr unsigned pace = 64;
@@ -307,7 +377,9 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
     for (std::size_t i = 0; i < instructions.size(); ++i) {
         if (++steps_ % pace == 0 && LoopStop::requested()) return false;
         IntervalGradient& target = slots_[instructions[i].target];
-        if (i != fold_) {
+        if (const auto root = rootInstead(i)) {
+            target = *root;
+        } else if (i != fold_) {
             target = execute(instructions[i], i, loopAllowance);
             target.root.known = target.root.known && wantedRoots_[i];
         } else if (folds_) {
@@ -319,6 +391,7 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
             target = execute(instructions[i], i, loopAllowance);
             lastFold_ = {target.value, target.steepness, std::countr_zero(target.axes)};
         }
+        if (!firstRoot_) noteRoot(i, target);
         if (finely_) parts_->note(i, target);
         if (middle_ != Middle::none) useMiddle(i, target);
         if (isBase_[i]) bases_[i] = target;
@@ -341,9 +414,8 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
         return evaluateOperation(Operation::power, std::array{&baseOf(power), &exponent}, crackle);
     }
     if (takesSides_ && open_[index]) {
-        const bool second = (sides_ & 1) != 0;
-        sides_ >>= 1;
-        margins_.push_back(marginOf(instruction.operation, all, second));
+        const bool second = nextSide(index);
+        if (!isLed(index)) margins_.push_back(marginOf(instruction.operation, all, second));
         return takenSide(instruction.operation, all, second);
     }
     const bool isJoined = isOpenSelect(instruction.operation, all) && joins(index);
@@ -384,8 +456,7 @@ IntervalGradient IntervalGradientEvaluator::executeTriangle(const IntervalGradie
     const IntervalGradient from = fromCorner(u, corners_[index]);
     const IntervalGradient* const distance = &from;
     if (keepsOpen_) return aboutCorner(openChoice(Operation::absolute, {&distance, 1}), corners_[index]);
-    const bool second = (sides_ & 1) != 0;
-    sides_ >>= 1;
+    const bool second = nextSide(index);
     margins_.push_back(marginOf(Operation::absolute, {&distance, 1}, second));
     return aboutCorner(takenSide(Operation::absolute, {&distance, 1}, second), corners_[index]);
 }

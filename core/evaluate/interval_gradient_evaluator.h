@@ -10,6 +10,7 @@
 
 #include "core/evaluate/algebra/interval_gradient.h"
 #include "core/evaluate/algebra/interval_gradient_rules.h"
+#include "core/evaluate/tape/linked_choices.h"
 #include "core/evaluate/tape/tape.h"
 #include "core/evaluate/tape/uniform_values.h"
 #include "core/evaluate/tape/whole_powers.h"
@@ -62,7 +63,7 @@ class IntervalGradientEvaluator {
     const IntervalGradient& evaluatePieces(std::span<const Interval, 3> point);
 
     /// How many choices of the last evaluate() were open, and so are in the hands of evaluatePiece(). Those
-    /// within loops do not count.
+    /// within loops do not count, and of those that the sign of one difference decides the first alone.
     std::size_t openChoices() const;
     /// Result 0 over a box with the k-th of those choices taken as bit k of `sides` says, everywhere: 0 for
     /// the first operand (the operand of abs, the negative case of select), 1 for the second (minus it, the
@@ -89,12 +90,25 @@ class IntervalGradientEvaluator {
     /// longer than those of this one.
     const IntervalGradient& evaluateFolded(std::span<const Interval, 3> box, const Fold& fold);
 
+    /// Whether the last evaluate() had a distance, or another root, without second derivatives on which the
+    /// function depends in more than one way: near the centres of the balls of a smooth minimum.
+    bool hasBlurredRoots() const { return blurred_; }
+    /// At least the length of every gradient of result 0 in the box: that of the function of the coordinates
+    /// and of its roots, r and s, as independent arguments, and |df/dr| times the steepness of r, and so on.
+    /// What the roots add up to is right where their directions are not known. Infinite where nothing is
+    /// known so.
+    double steepnessByRoots(std::span<const Interval, 3> box);
+
     /// Boxes evaluated so far; one of evaluateFinely() counts for as many as it costs.
     std::uint64_t evaluations() const { return evaluations_; }
 
   private:
     bool run(double loopAllowance);
+    std::optional<IntervalGradient> rootInstead(std::size_t index);
+    void noteRoot(std::size_t index, const IntervalGradient& root);
     IntervalGradient execute(const Instruction& instruction, std::size_t index, double loopAllowance);
+    bool isLed(std::size_t index) const;
+    bool nextSide(std::size_t index);
     IntervalGradient executeTriangle(const IntervalGradient& u, std::size_t index);
     void useMiddle(std::size_t index, IntervalGradient& target);
     const IntervalGradient& baseOf(const WholePower& power) const;
@@ -106,8 +120,10 @@ class IntervalGradientEvaluator {
     std::vector<IntervalGradient> slots_;
     std::vector<std::unique_ptr<IntervalGradientEvaluator>> loops_;
     std::vector<IntervalGradient> margins_;
-    std::vector<bool> open_;         ///< by instruction: the choices that the last box left open
-    std::vector<bool> wantedRoots_;  ///< by instruction: whether IntervalGradient::root is of use
+    std::vector<bool> open_;           ///< by instruction: the choices that the last box left open
+    std::vector<LinkedChoice> links_;  ///< by instruction
+    std::vector<bool> taken_;          ///< by instruction: whether it is the second side of an open choice
+    std::vector<bool> wantedRoots_;    ///< by instruction: whether IntervalGradient::root is of use
     std::vector<gradient_rules::ChosenSide> chosen_;  ///< by instruction: what the last box decided
     std::vector<double> corners_;                     ///< of those among them that are triangle waves
     std::vector<double> cuts_;                        ///< by instruction: roundingCuts()
@@ -127,6 +143,15 @@ class IntervalGradientEvaluator {
     std::optional<std::size_t> fold_;  ///< its instruction
     Fold lastFold_;
     bool folds_ = false;  ///< whether `lastFold_` takes its place
+    struct Root {
+        std::size_t instruction;
+        IntervalGradient last;  ///< over the box of the last evaluate()
+    };
+    std::vector<Root> roots_;  ///< sharedRoots()
+    bool blurred_ = false;     ///< whether one of them is not smooth
+    /// Which of them are the coordinates, from this one on, while all others are constants; those are when it
+    /// is their number.
+    std::optional<std::size_t> firstRoot_;
     unsigned sides_ = 0;  ///< of the open choices that are still to come
     unsigned steps_ = 0;  ///< instructions so far, to look for a stop now and then
     std::uint64_t evaluations_ = 0;

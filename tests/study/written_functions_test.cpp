@@ -44,6 +44,31 @@ class WrittenFunctionsTest : public QObject {
         }
     }
 
+    /// Blends of distances, as those who model by distances write them: the cases of min(a, b) and |a - b|
+    /// were taken one by one, which made twice the slope, and the centres of balls had any slope.
+    void blendsOfDistancesAreKnownAtOnce() {
+        const std::string ball = "(sqrt(x*x+y*y+z*z)-0.6)", other = "(sqrt(pow(x-0.7,2)+y*y+z*z)-0.5)",
+                          torus = "(sqrt(pow(sqrt(x*x+z*z)-0.7,2)+y*y)-0.2)", ground = "(y+0.5)";
+        const auto quadratic = [](const std::string& a, const std::string& b, const std::string& k) {
+            return "min(" + a + "," + b + ") - pow(max(" + k + "-abs(" + a + "-" + b + "),0)/" + k + ",2)*" +
+                   k + "/4";
+        };
+        const auto mixed = [](const std::string& a, const std::string& b, const std::string& k) {
+            const std::string h = "max(min(0.5+0.5*(" + b + "-" + a + ")/" + k + ",1),0)";
+            return b + "*(1-" + h + ")+" + a + "*" + h + "-" + k + "*" + h + "*(1-" + h + ")";
+        };
+        for (const std::string& body :
+             {quadratic(ball, other, "0.1"), quadratic(ball, other, "1.5"), quadratic(ball, ground, "0.5"),
+              quadratic(ball, torus, "0.4"), mixed(ball, other, "0.3"), mixed(ball, torus, "0.4"),
+              "-(" + quadratic("-" + ball, other, "0.3") + ")",
+              "min(" + ball + "," + other + ") - pow(max(1.5-abs(" + ball + "-" + other +
+                  "),0)/1.5,3)*0.25"}) {
+            const GradientBracket b = bracketOf(body, unitBox);
+            QVERIFY2(b.state == GradientState::tight && b.boxes < 20'000, body.c_str());
+            QVERIFY2(b.lower > 0.999 && b.upper < 1.0101, body.c_str());
+        }
+    }
+
     /// Angles from an axis as users write them: beside the axis boxes seemed to hold the ends of the arc
     /// cosine, and a million of them ended without a bound.
     void anglesFromAnAxisAreBounded() {

@@ -173,27 +173,7 @@ double BoxExaminer::curvatureBound(const GradientDomain& domain, const GradientB
     const double length = std::min(at.steepness, gradient_rules::lengthAbove(at.slope));
     std::array<SlopeRange, 3> change;
     for (std::size_t i = 0; i < 3; ++i) change[i] = 2 * growth[i];
-    double grown = domain.advance(change, box, p), added = 0;
-    // What is not below 0 may be added, times any factor: with Lagrange's the growth towards the edge of the
-    // piece is gone.
-    for (const Margin& margin : margins) {
-        double along = 0, squares = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double slopeInMiddle = 0.5 * margin.slope[i].low + 0.5 * margin.slope[i].high;
-            along += (0.5 * change[i].low + 0.5 * change[i].high) * slopeInMiddle;
-            squares += slopeInMiddle * slopeInMiddle;
-        }
-        const double factor = -along / squares;
-        if (!(factor > 0) || !std::isfinite(factor)) continue;
-        std::array<SlopeRange, 3> next;
-        for (std::size_t i = 0; i < 3; ++i) next[i] = change[i] + factor * margin.slope[i];
-        const double start = raised(added + raised(factor * margin.at));
-        const double less = raised(start + domain.advance(next, box, p));
-        if (!(less < grown)) continue;
-        grown = less;
-        added = start;
-        change = next;
-    }
+    const double grown = growthWithin(margins, change, domain, box, p);
     const double square = raised(raised(length * length) + grown);
     return std::min({piece.steepness, gradient_rules::lengthAbove(slope), rootAbove(square)});
 }
@@ -250,9 +230,12 @@ void BoxExaminer::useCases(const GradientBox& box, const IntervalGradient& whole
     const std::optional<IntervalGradientEvaluator::Fold> fold = given ? std::optional(*given) : std::nullopt;
     // Those in loops are not counted.
     const std::size_t choices = intervals_.openChoices();
+    const bool blurred = intervals_.hasBlurredRoots();
     std::array<SlopeRange, 3> growth{};
     if (whole.pieced) growth = tryPieces(box, finding, choices);
     if (fold && finding.bound > target()) useFold(box, *fold, finding);
+    if (blurred && finding.bound > target())
+        finding.bound = std::min(finding.bound, intervals_.steepnessByRoots(box.intervals()));
     if (finding.bound <= target()) return;
     offerIfSteeper(middleOf(box));
     if (choices > 0) offerSteepest(box, growth);

@@ -13,6 +13,7 @@
 #include "core/evaluate/point_evaluator.h"
 #include "core/study/gradient/gradient_domain.h"
 #include "core/study/gradient/left_out_cells.h"
+#include "core/study/gradient/margin.h"
 
 namespace isoscope {
 
@@ -100,12 +101,6 @@ class BoxExaminer {
     std::uint64_t evaluations() const { return intervals_.evaluations(); }
 
   private:
-    /// By how much a piece is taken rather than another one, if that is not below 0.
-    struct Margin {
-        double at;  ///< at most this at the point from which the box is looked at
-        std::array<SlopeRange, 3> slope;
-    };
-
     double target() const;
     bool isSteeper(double length) const;
     void offerSlope(const glm::dvec3& point, const glm::dvec3& direction);

@@ -10,6 +10,7 @@
 #include "core/evaluate/prepared_function.h"
 #include "core/evaluate/tape/loop_stop.h"
 #include "core/evaluate/tape/tape_axes.h"
+#include "core/study/arguments/root_bound.h"
 
 namespace isoscope {
 
@@ -71,13 +72,13 @@ GradientStudy::GradientStudy(const std::shared_ptr<const PreparedFunction>& func
         ridge_ = std::make_unique<Ridge>(std::move(*found), function, container);
         domain_ = ridge_->searched.domain;
     }
-    const auto& searched = ridge_ ? ridge_->searched.function : function;
+    searched_ = ridge_ ? ridge_->searched.function : function;
     // Of coordinates without which the gradient is known, one value stands for all.
-    const std::uint8_t axes = gradientAxes(*searched->tape());
+    const std::uint8_t axes = gradientAxes(*searched_->tape());
     for (int k = 0; k < 3; ++k)
         if ((axes >> k & 1) == 0) domain_ = domain_.flattened(k);
     for (int k = 0; k < workers_.threads(); ++k)
-        examiners_.push_back(std::make_unique<BoxExaminer>(searched, domain_, leftOut_));
+        examiners_.push_back(std::make_unique<BoxExaminer>(searched_, domain_, leftOut_));
 }
 
 GradientStudy::Ridge::Ridge(RidgeFunction found, const std::shared_ptr<const PreparedFunction>& function,
@@ -204,7 +205,12 @@ void GradientStudy::begin() {
     }
     if (!samplePoints()) return;
     lookForSingularities();
-    const double bound = bracket_.state == GradientState::running ? examiner().boundAroundCenter() : infinite;
+    double bound = infinite;
+    if (bracket_.state == GradientState::running) {
+        const RootBound byRoots = boundByRoots(*searched_, domain_, target());
+        boxesByRoots_ = byRoots.boxes;
+        bound = std::min(examiner().boundAroundCenter(), byRoots.bound);
+    }
     if (bracket_.state == GradientState::running && LoopStop::requested()) return;
     begun_ = true;
     if (bracket_.state == GradientState::running) consider(domain_.box(), bound, GradientHazard::none);
@@ -340,7 +346,7 @@ void GradientStudy::offerPoint(const glm::dvec3& point) {
 }
 
 std::uint64_t GradientStudy::evaluations() const {
-    std::uint64_t all = 0;
+    std::uint64_t all = boxesByRoots_;
     for (const auto& examiner : examiners_) all += examiner->evaluations();
     return all;
 }

@@ -15,7 +15,7 @@
 #include "core/study/gradient/gradient_bracket.h"
 #include "core/study/gradient/gradient_domain.h"
 #include "core/study/gradient/left_out_cells.h"
-#include "core/study/gradient/ridge_function.h"
+#include "core/study/arguments/ridge_function.h"
 
 namespace isoscope {
 
@@ -161,6 +161,7 @@ class GradientStudy {
     double leftOutWidth() const;
 
     std::unique_ptr<Ridge> ridge_;  ///< null for a function searched as it is
+    std::shared_ptr<const PreparedFunction> searched_;
     GradientDomain domain_;
     GradientStudySettings settings_;
     LeftOutCells leftOut_;
@@ -183,7 +184,8 @@ class GradientStudy {
     bool besideSampled_ = false;
     std::uint64_t besideLimit_ = 0;  ///< of all boxes
     bool unresolved_ = false;
-    std::uint64_t queuedJumps_ = 0;  ///< regions of the queue that may hold a jump
+    std::uint64_t boxesByRoots_ = 0;  ///< that boundByRoots() evaluated
+    std::uint64_t queuedJumps_ = 0;   ///< regions of the queue that may hold a jump
     int probes_ = 0;
     Trial casesPay_, middlePays_;
     std::array<Trial, distanceClasses> finerPays_;  ///< by how far the bound is from the target

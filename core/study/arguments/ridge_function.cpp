@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/gradient/ridge_function.h"
+#include "core/study/arguments/ridge_function.h"
 
 #include <algorithm>
 #include <bit>
