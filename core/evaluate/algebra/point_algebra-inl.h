@@ -11,7 +11,6 @@
 #include <hwy/highway.h>
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
 #include "core/evaluate/algebra/elementary-inl.h"
@@ -55,10 +54,10 @@ struct PointAlgebra {
     static HWY_INLINE Vector absolute(Vector a) { return hn::Abs(a); }
     static HWY_INLINE Vector square(Vector a) { return hn::Mul(a, a); }
     static HWY_INLINE Vector squareRoot(Vector a) { return hn::Sqrt(a); }
-#if HWY_TARGET == HWY_SCALAR
-    // Highway's own lose the sign of zeros.
-    static HWY_INLINE Vector floor(Vector a) { return constantVector(std::floor(hn::GetLane(a))); }
-    static HWY_INLINE Vector ceiling(Vector a) { return constantVector(std::ceil(hn::GetLane(a))); }
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_SSE2
+    // Highway's own go through integers there and lose the sign of zeros.
+    static HWY_INLINE Vector floor(Vector a) { return hn::CopySign(hn::Floor(a), a); }
+    static HWY_INLINE Vector ceiling(Vector a) { return hn::CopySign(hn::Ceil(a), a); }
 #else
     static HWY_INLINE Vector floor(Vector a) { return hn::Floor(a); }
     static HWY_INLINE Vector ceiling(Vector a) { return hn::Ceil(a); }
