@@ -27,6 +27,28 @@ namespace {
 
 bool isLoop(Operation operation) { return operation == Operation::sum || operation == Operation::product; }
 
+bool isTruth(Operation operation) {
+    switch (operation) {
+        case Operation::equal:
+        case Operation::notEqual:
+        case Operation::less:
+        case Operation::lessEqual:
+        case Operation::greater:
+        case Operation::greaterEqual:
+        case Operation::logicalAnd:
+        case Operation::logicalOr: return true;
+        default: return false;
+    }
+}
+
+/// Whether a select has one value for a condition below 0 and one for others, or one above 0 and one for
+/// others.
+bool hasTwoCases(const Instruction& instruction) {
+    const auto& cases = instruction.operands;
+    return instruction.operation == Operation::select3 ||
+           (instruction.operation == Operation::select4 && (cases[2] == cases[1] || cases[2] == cases[3]));
+}
+
 bool usesWraps(Operation operation) {
     switch (operation) {
         case Operation::negate:
@@ -318,6 +340,53 @@ const IntervalGradient& IntervalGradientEvaluator::evaluatePiece(std::span<const
     return answer;
 }
 
+const IntervalGradient& IntervalGradientEvaluator::evaluatePossiblePiece(std::span<const Interval, 3> box,
+                                                                         unsigned sides) {
+    possibleAlone_ = true;
+    const IntervalGradient& answer = evaluatePiece(box, sides);
+    possibleAlone_ = false;
+    return answer;
+}
+
+IntervalGradient IntervalGradientEvaluator::sideOf(Operation operation,
+                                                   std::span<const IntervalGradient* const> operands,
+                                                   bool second) const {
+    return possibleAlone_ ? possibleSide(operation, operands, second)
+                          : takenSide(operation, operands, second);
+}
+
+const IntervalGradient& IntervalGradientEvaluator::evaluateBesideJumps(std::span<const Interval, 3> box,
+                                                                       unsigned sides) {
+    takesJumps_ = true;
+    sides_ = sides;
+    jumpsMet_ = 0;
+    const IntervalGradient& answer = evaluate(box);
+    takesJumps_ = false;
+    return answer;
+}
+
+/// What an instruction with the result `whole` is on one side of its jump, as `sides_` says; `whole` where it
+/// has no jump, or more than one.
+IntervalGradient IntervalGradientEvaluator::besideJump(const Instruction& instruction, std::size_t index,
+                                                       const IntervalGradient& whole) {
+    std::array<const IntervalGradient*, 4> operands{};
+    for (std::size_t k = 0; k < instruction.operandCount; ++k) operands[k] = &slots_[instruction.operands[k]];
+    const Operands all = std::span(operands).first(instruction.operandCount);
+    const bool isSelect =
+        hasTwoCases(instruction) && isOpenSelect(instruction.operation, all) && !joins(index);
+    const bool isOpenTruth = isTruth(instruction.operation) && !whole.value.isPoint();
+    if (whole.wrap == 0 && !isSelect && !isOpenTruth) return whole;
+    ++jumpsMet_;
+    const bool second = (sides_ & 1) != 0;
+    sides_ >>= 1;
+    if (isSelect) return takenSide(instruction.operation, all, second);
+    if (isOpenTruth) return constant(Interval::point(second ? 1 : 0));
+    if (second) return afterWrap(whole);
+    IntervalGradient before = whole;
+    before.wrap = 0;
+    return before;
+}
+
 const IntervalGradient& IntervalGradientEvaluator::evaluateFolded(std::span<const Interval, 3> box,
                                                                   const Fold& fold) {
     const Fold last = std::exchange(lastFold_, fold);
@@ -380,7 +449,9 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
         if (const auto root = rootInstead(i)) {
             target = *root;
         } else if (i != fold_) {
-            target = execute(instructions[i], i, loopAllowance);
+            // The operands may be where the result will be.
+            IntervalGradient whole = execute(instructions[i], i, loopAllowance);
+            target = takesJumps_ ? besideJump(instructions[i], i, whole) : std::move(whole);
             target.root.known = target.root.known && wantedRoots_[i];
         } else if (folds_) {
             const auto axis = static_cast<std::size_t>(lastFold_.axis);
@@ -416,7 +487,7 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
     if (takesSides_ && open_[index]) {
         const bool second = nextSide(index);
         if (!isLed(index)) margins_.push_back(marginOf(instruction.operation, all, second));
-        return takenSide(instruction.operation, all, second);
+        return sideOf(instruction.operation, all, second);
     }
     const bool isJoined = isOpenSelect(instruction.operation, all) && joins(index);
     if (!keepsOpen_ && !takesSides_) {
@@ -425,7 +496,7 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
     } else if (chosen_[index] != ChosenSide::open) {
         // Not decided anew: a piece that is not the function at a point may have any value there, and what an
         // open choice leaves of both sides has the value of one of them.
-        return takenSide(instruction.operation, all, chosen_[index] == ChosenSide::second);
+        return sideOf(instruction.operation, all, chosen_[index] == ChosenSide::second);
     }
     if (isJoined || (keepsOpen_ && open_[index])) return openChoice(instruction.operation, all);
     if (!std::isnan(cuts_[index]) && operands[0]->wrap == 0)
@@ -458,7 +529,7 @@ IntervalGradient IntervalGradientEvaluator::executeTriangle(const IntervalGradie
     if (keepsOpen_) return aboutCorner(openChoice(Operation::absolute, {&distance, 1}), corners_[index]);
     const bool second = nextSide(index);
     margins_.push_back(marginOf(Operation::absolute, {&distance, 1}, second));
-    return aboutCorner(takenSide(Operation::absolute, {&distance, 1}, second), corners_[index]);
+    return aboutCorner(sideOf(Operation::absolute, {&distance, 1}, second), corners_[index]);
 }
 
 IntervalGradient IntervalGradientEvaluator::runLoop(const Instruction& instruction, double loopAllowance) {

@@ -70,10 +70,21 @@ class IntervalGradientEvaluator {
     /// other case). In the box of that evaluate(), or a part of it, the function is one of these at each
     /// place.
     const IntervalGradient& evaluatePiece(std::span<const Interval, 3> box, unsigned sides);
+    /// The same in those places alone where the function may be that piece: |u| to a power is known, though u
+    /// to that power has no value where u is below 0. Without second derivatives.
+    const IntervalGradient& evaluatePossiblePiece(std::span<const Interval, 3> box, unsigned sides);
     /// Of the last evaluatePiece(): by how much each side was taken rather than the other, choice by choice.
     /// Where one of these is below 0 the function is another piece. Unbounded for a choice of what may be
     /// undefined.
     std::span<const IntervalGradient> margins() const { return margins_; }
+
+    /// Result 0 over a box that may hold jumps, on one side of each: the k-th angle, whole number, comparison
+    /// or select that jumps once in the box has the values at one side of its jump where bit k of `sides` is
+    /// 0, at the other where it is 1. At each place of the box where nothing jumps the function is one of
+    /// these, for the sides that belong to the place.
+    const IntervalGradient& evaluateBesideJumps(std::span<const Interval, 3> box, unsigned sides);
+    /// How many jumps the last evaluateBesideJumps() met; which ones depends on the sides of those before.
+    std::size_t jumpsMet() const { return jumpsMet_; }
 
     /// An operand through which alone the function depends on two or three coordinates, such as the distance
     /// from an axis, as it is over the box of the last evaluate(). Everything else depends on the others.
@@ -109,6 +120,10 @@ class IntervalGradientEvaluator {
     IntervalGradient execute(const Instruction& instruction, std::size_t index, double loopAllowance);
     bool isLed(std::size_t index) const;
     bool nextSide(std::size_t index);
+    IntervalGradient sideOf(Operation operation, std::span<const IntervalGradient* const> operands,
+                            bool second) const;
+    IntervalGradient besideJump(const Instruction& instruction, std::size_t index,
+                                const IntervalGradient& whole);
     IntervalGradient executeTriangle(const IntervalGradient& u, std::size_t index);
     void useMiddle(std::size_t index, IntervalGradient& target);
     const IntervalGradient& baseOf(const WholePower& power) const;
@@ -152,7 +167,10 @@ class IntervalGradientEvaluator {
     /// Which of them are the coordinates, from this one on, while all others are constants; those are when it
     /// is their number.
     std::optional<std::size_t> firstRoot_;
-    unsigned sides_ = 0;  ///< of the open choices that are still to come
+    unsigned sides_ = 0;          ///< of the open choices, or jumps, that are still to come
+    bool possibleAlone_ = false;  ///< whether those leave out values that they cannot have
+    bool takesJumps_ = false;     ///< whether they are those of jumps
+    std::size_t jumpsMet_ = 0;
     unsigned steps_ = 0;  ///< instructions so far, to look for a stop now and then
     std::uint64_t evaluations_ = 0;
 };

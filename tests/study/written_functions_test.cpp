@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steepest slopes of classes of functions as people write them, which once ended without a proof.
 #include <cmath>
+#include <numbers>
 #include <glm/geometric.hpp>
 #include <QTest>
 
@@ -67,6 +68,18 @@ class WrittenFunctionsTest : public QObject {
             QVERIFY2(b.state == GradientState::tight && b.boxes < 20'000, body.c_str());
             QVERIFY2(b.lower > 0.999 && b.upper < 1.0101, body.c_str());
         }
+    }
+
+    /// Around the cut of an angle a spiral and a wound torus are one function or another, of other slopes:
+    /// what holds all of them is far steeper, however small the box is.
+    void slopesBesideJumpsAreThoseOfOneSide() {
+        const GradientBracket spiral = bracketOf("f_spiral(x,y,z,0.2,0.05,0.9,0,0,0.75)",
+                                                 ContainerBox{{-0.12, -0.05, -0.02}, {-0.06, 0.05, 0.02}});
+        QVERIFY(spiral.state == GradientState::unbounded && spiral.boxes < 20'000);
+        QVERIFY(spiral.beside && spiral.beside->state == GradientState::tight);
+        // As steep as the angle makes it at the edge next to the axis.
+        const double steepest = std::hypot(1, 0.2 / (2 * std::numbers::pi * 0.06));
+        QVERIFY(spiral.beside->lower > 0.98 * steepest && spiral.beside->upper < 1.0102 * steepest);
     }
 
     /// Angles from an axis as users write them: beside the axis boxes seemed to hold the ends of the arc

@@ -29,6 +29,7 @@ struct PowerRoot {
     bool smooth = false;  ///< twice differentiable in the whole box; `bend` is known
     SlopeRange value;
     std::array<SlopeRange, 3> slope{};
+    double steepness = 0;  ///< at least |gradient|; NaN where that is not known
     std::array<SlopeRange, 6> bend{};
 };
 

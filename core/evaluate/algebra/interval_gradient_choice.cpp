@@ -95,6 +95,21 @@ IntervalGradient takenSide(Operation operation, Operands operands, bool second) 
     return *operands[second ? 1 : 0];
 }
 
+IntervalGradient possibleSide(Operation operation, Operands operands, bool second) {
+    IntervalGradient side = takenSide(operation, operands, second);
+    side.smooth = side.root.smooth = false;
+    if (operation == Operation::absolute) {
+        side.value.low = std::max(side.value.low, 0.0);
+    } else if (!isSelect(operation) && !mayJump(*operands[0], *operands[1])) {
+        const Interval& other = operands[second ? 0 : 1]->value;
+        if (operation == Operation::minimum)
+            side.value.high = std::min(side.value.high, other.high);
+        else
+            side.value.low = std::max(side.value.low, other.low);
+    }
+    return side.value.empty() ? undefinedEverywhere() : side;
+}
+
 IntervalGradient marginOf(Operation operation, Operands operands, bool second) {
     const IntervalGradient a = resolveWrap(*operands[0]);
     const bool isOwn = operation == Operation::absolute || isSelect(operation);

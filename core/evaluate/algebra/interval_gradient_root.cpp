@@ -79,6 +79,7 @@ PowerRoot rootOf(const IntervalGradient& u) {
     root.known = root.value.isFinite() && u.hazard <= GradientHazard::jump;
     root.smooth = u.smooth && !u.pieced;
     root.slope = u.slope;
+    root.steepness = u.steepness;
     if (root.smooth) root.bend = u.bend;
     return root;
 }
@@ -99,6 +100,7 @@ PowerRoot scaledRoot(const PowerRoot& root, const Interval& factor, double expon
     result.value = stretch * root.value;
     result.known = result.value.isFinite();
     for (SlopeRange& slope : result.slope) slope = stretch * slope;
+    result.steepness = raised(stretch.high * root.steepness);
     for (SlopeRange& bend : result.bend) bend = stretch * bend;
     return result;
 }
@@ -116,6 +118,8 @@ PowerRoot joinedRoot(const PowerRoot& a, const PowerRoot& b, double e, std::uint
     const SlopeRange byFirst = signedPower(first, e - 1), bySecond = signedPower(second, e - 1);
     for (std::size_t i = 0; i < 3; ++i)
         if (dependsOn(axes, i)) result.slope[i] = byFirst * a.slope[i] + bySecond * b.slope[i];
+    // Where one is far smaller than the other its direction does not matter.
+    result.steepness = raised(raised(byFirst.size() * a.steepness) + raised(bySecond.size() * b.steepness));
     if (!a.smooth || !b.smooth || !(least > 0)) return result;
     // Across the direction of growth it bends by (e - 1) / norm |first second|^(e - 2).
     const double most = powerAbove(1 / least, 1) * (1 + powerRounding);
@@ -142,6 +146,7 @@ PowerRoot poweredRoot(const PowerRoot& root, double e, std::uint8_t axes) {
     result.known = root.known && result.value.isFinite() && first.isFinite();
     if (!result.known) return result;
     for (std::size_t i = 0; i < 3; ++i) result.slope[i] = first * root.slope[i];
+    result.steepness = raised(first.size() * root.steepness);
     result.smooth = root.smooth && second.isFinite();
     if (!result.smooth) return result;
     forEachBend(axes, [&](std::size_t i, std::size_t j, std::size_t k) {
@@ -165,6 +170,7 @@ PowerRoot movedRoot(const PowerRoot& root, double factor, const Interval& shift)
     result.value = factor * root.value + SlopeRange{shift.low, shift.high};
     result.known = root.known && result.value.isFinite();
     for (SlopeRange& slope : result.slope) slope = factor * slope;
+    result.steepness = raised(std::abs(factor) * root.steepness);
     for (SlopeRange& bend : result.bend) bend = factor * bend;
     return result;
 }
@@ -184,6 +190,7 @@ PowerRoot joinedLogarithm(const PowerRoot& a, const PowerRoot& b, std::uint8_t a
                            std::min(1.0, raised(shareAt(most + rounding) * (1 + powerRounding)))};
     for (std::size_t i = 0; i < 3; ++i)
         if (dependsOn(axes, i)) result.slope[i] = mixed(share, a.slope[i], b.slope[i]);
+    result.steepness = mixed(share, {0, a.steepness}, {0, b.steepness}).high;
     result.smooth = a.smooth && b.smooth;
     if (!result.smooth) return result;
     // share (1 - share), which is 1/4 at most.
@@ -212,7 +219,7 @@ void narrow(SlopeRange& known, const SlopeRange& other) {
 void useLogarithm(const IntervalGradient& s, IntervalGradient& result) {
     if (!s.sumsExponentials || !s.root.known || !result.bounded() || result.isConstant()) return;
     for (std::size_t i = 0; i < 3; ++i) narrow(result.slope[i], s.root.slope[i]);
-    result.steepness = std::min(result.steepness, s.rootSteepness);
+    result.steepness = std::min({result.steepness, s.rootSteepness, s.root.steepness});
     if (s.root.smooth && result.smooth)
         for (std::size_t k = 0; k < 6; ++k) narrow(result.bend[k], s.root.bend[k]);
     settle(result);
@@ -223,10 +230,10 @@ void useExponential(const PowerRoot& root, double steepness, IntervalGradient& r
     result.rootExponent = 0;
     result.sumsExponentials = true;
     result.root = root;
-    result.rootSteepness = steepness;
+    result.rootSteepness = std::min(steepness, root.steepness);
     const SlopeRange value = rangeOf(result.value);
     for (std::size_t i = 0; i < 3; ++i) narrow(result.slope[i], value * root.slope[i]);
-    result.steepness = std::min(result.steepness, raised(value.size() * steepness));
+    result.steepness = std::min(result.steepness, raised(value.size() * result.rootSteepness));
     if (root.smooth && result.smooth)
         forEachBend(result.axes, [&](std::size_t i, std::size_t j, std::size_t k) {
             const SlopeRange slopes = i == j ? square(root.slope[i]) : root.slope[i] * root.slope[j];
@@ -255,6 +262,8 @@ void usePowerOfRoot(const PowerRoot& root, double exponent, IntervalGradient& re
         const SlopeRange both = meet(result.slope[i], first * root.slope[i]);
         if (both.low <= both.high) result.slope[i] = both;
     }
+    if (first.isFinite())
+        result.steepness = std::min(result.steepness, raised(first.size() * root.steepness));
     if (!smooth || !first.isFinite() || !second.isFinite()) return;
     const bool combines = result.smooth && !result.pieced;
     result.smooth = true;

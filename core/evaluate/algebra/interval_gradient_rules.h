@@ -87,6 +87,9 @@ IntervalGradient openChoice(Operation operation, Operands operands);
 enum class ChosenSide : std::uint8_t { open, first, second };
 ChosenSide chosenSide(Operation operation, Operands operands);
 IntervalGradient takenSide(Operation operation, Operands operands, bool second);
+/// The same with those values alone that it can have where it is the one that is taken; not smooth, since
+/// values beside these places are missing.
+IntervalGradient possibleSide(Operation operation, Operands operands, bool second);
 /// Below 0 where the other side is taken.
 IntervalGradient marginOf(Operation operation, Operands operands, bool second);
 

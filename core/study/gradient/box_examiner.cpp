@@ -135,6 +135,8 @@ BoxFinding BoxExaminer::find(GradientBox& box) {
     finding.slope = whole.slope;
     for (int k = 0; k < 3; ++k)
         if ((whole.axes >> k & 1) != 0) finding.influence[k] = box.high[k] - box.low[k];
+    if (whole.hazard == GradientHazard::jump && finding.bound > target())
+        finding.bound = std::min(finding.bound, boundBesideJumps(box));
     if (finding.settled || !whole.bounded() || whole.value.maybeUndefined) return finding;
     // Slopes at a point gain nothing where several pieces bend much over the box, or where the box is done
     // with.
@@ -143,8 +145,27 @@ BoxFinding BoxExaminer::find(GradientBox& box) {
     if (whole.smooth && pays)
         useCurvature(box, whole, finding);
     else
-        useCases(box, whole, finding);
+        useCases(box, finding);
     return finding;
+}
+
+/// The bound of what the function is beside its jumps, each of which leaves one side or the other; infinite
+/// where there are many.
+double BoxExaminer::boundBesideJumps(const GradientBox& box) {
+    constexpr std::size_t mostJumps = 4;
+    const auto range = box.intervals();
+    double most = 0;
+    unsigned sides = 0;
+    while (true) {
+        const IntervalGradient& piece = intervals_.evaluateBesideJumps(range, sides);
+        if (intervals_.jumpsMet() > mostJumps) return std::numeric_limits<double>::infinity();
+        most = std::max(most, piece.steepness);
+        // The next in order: the last jump that has its first side takes the other.
+        unsigned last = static_cast<unsigned>(intervals_.jumpsMet());
+        while (last > 0 && (sides >> (last - 1) & 1) != 0) --last;
+        if (last == 0) return most;
+        sides = (sides & ((1U << (last - 1)) - 1)) | 1U << (last - 1);
+    }
 }
 
 glm::dvec3 BoxExaminer::middleOf(const GradientBox& box) const {
@@ -224,15 +245,14 @@ void BoxExaminer::useFiner(const GradientBox& box, const glm::dvec3& p, const In
 }
 
 /// Where there are no second derivatives: by those of a fold, and of the cases of choices.
-void BoxExaminer::useCases(const GradientBox& box, const IntervalGradient& whole, BoxFinding& finding) {
+void BoxExaminer::useCases(const GradientBox& box, BoxFinding& finding) {
     if (finding.bound <= target()) return;
     const auto* given = intervals_.fold();
     const std::optional<IntervalGradientEvaluator::Fold> fold = given ? std::optional(*given) : std::nullopt;
     // Those in loops are not counted.
     const std::size_t choices = intervals_.openChoices();
     const bool blurred = intervals_.hasBlurredRoots();
-    std::array<SlopeRange, 3> growth{};
-    if (whole.pieced) growth = tryPieces(box, finding, choices);
+    const std::array<SlopeRange, 3> growth = tryPieces(box, finding, choices);
     if (fold && finding.bound > target()) useFold(box, *fold, finding);
     if (blurred && finding.bound > target())
         finding.bound = std::min(finding.bound, intervals_.steepnessByRoots(box.intervals()));
@@ -295,10 +315,12 @@ std::array<SlopeRange, 3> BoxExaminer::usePieces(const GradientBox& box, BoxFind
     double steepest = 0;
     std::array<SlopeRange, 3> steepestGrowth{};
     for (unsigned sides = 0; sides < pieces; ++sides) {
-        const IntervalGradient piece = intervals_.evaluatePiece(range, sides);
+        IntervalGradient piece = intervals_.evaluatePiece(range, sides);
         std::vector<IntervalGradient> margins(intervals_.margins().begin(), intervals_.margins().end());
         if (std::ranges::any_of(margins, [](const auto& margin) { return margin.value.high < 0; })) continue;
-        if (!piece.bounded() || piece.value.empty() || piece.value.maybeUndefined) return {};
+        if (!piece.bounded() || piece.value.maybeUndefined)
+            piece = intervals_.evaluatePossiblePiece(range, sides);
+        if (!piece.bounded() || piece.value.maybeUndefined) return {};
         double bound = piece.steepness;
         std::array<SlopeRange, 3> growth{};
         if (piece.smooth && !piece.pieced && bound > target()) {

@@ -109,10 +109,11 @@ class BoxExaminer {
     void offerSteepest(const GradientBox& box, const std::array<SlopeRange, 3>& growth);
     IntervalGradient enclosure(const GradientBox& box);
     BoxFinding find(GradientBox& box);
+    double boundBesideJumps(const GradientBox& box);
     void useCurvature(GradientBox& box, const IntervalGradient& whole, BoxFinding& finding);
     void useFiner(const GradientBox& box, const glm::dvec3& p, const IntervalGradient& at,
                   BoxFinding& finding, std::array<SlopeRange, 3>& growth);
-    void useCases(const GradientBox& box, const IntervalGradient& whole, BoxFinding& finding);
+    void useCases(const GradientBox& box, BoxFinding& finding);
     std::array<SlopeRange, 3> usePieces(const GradientBox& box, BoxFinding& finding, std::size_t choices);
     std::array<SlopeRange, 3> tryPieces(const GradientBox& box, BoxFinding& finding, std::size_t choices);
     void useFold(const GradientBox& box, const IntervalGradientEvaluator::Fold& fold, BoxFinding& finding);
