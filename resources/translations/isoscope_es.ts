@@ -589,8 +589,8 @@
         <translation>Informe</translation>
     </message>
     <message>
-        <source>&lt;p&gt;What the solid is like: pieces, tunnels, extent, volume, area, walls and symmetry, in sentences; and where the function has no value, no bound, no slope or no digits.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Cómo es el sólido: piezas, túneles, extensión, volumen, área, paredes y simetría, en frases; y dónde la función no tiene valor, cota, pendiente o cifras.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;What the solid is like: pieces, tunnels, extent, volume, area, walls and symmetry, in sentences; and the health of the function: where it has no value, bound, slope or digits.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Cómo es el sólido: piezas, túneles, extensión, volumen, área, paredes y simetría, en frases; y la salud de la función: dónde no tiene valor, cota, pendiente o cifras.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Ray</source>
@@ -1975,8 +1975,8 @@
         <translation>Comandos</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Every command of the menus. Type words of its name and press Enter.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Todos los comandos de los menús. Escriba palabras de su nombre y pulse Intro.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Every command of the menus. Type words of its name, or of what it tells of itself, and press Enter.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Todos los comandos de los menús. Escriba palabras de su nombre, o de lo que cuenta de sí mismo, y pulse Intro.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Type a command, then Enter</source>

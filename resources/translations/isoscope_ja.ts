@@ -589,8 +589,8 @@
         <translation>レポート</translation>
     </message>
     <message>
-        <source>&lt;p&gt;What the solid is like: pieces, tunnels, extent, volume, area, walls and symmetry, in sentences; and where the function has no value, no bound, no slope or no digits.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;立体の部分、トンネル、広がり、体積、面積、壁、対称性を文で示し、関数の値、上界、傾き、有効桁がない場所を示します。&lt;/p&gt;</translation>
+        <source>&lt;p&gt;What the solid is like: pieces, tunnels, extent, volume, area, walls and symmetry, in sentences; and the health of the function: where it has no value, bound, slope or digits.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;立体の部分、トンネル、広がり、体積、面積、壁、対称性を文で示し、関数の健全性、つまり値、上界、傾き、有効桁がない場所を示します。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Ray</source>
@@ -1975,8 +1975,8 @@
         <translation>コマンド</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Every command of the menus. Type words of its name and press Enter.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;メニューのすべてのコマンドです。名前の単語を入力して Enter を押します。&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Every command of the menus. Type words of its name, or of what it tells of itself, and press Enter.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;メニューのすべてのコマンドです。名前または説明にある単語を入力して Enter を押します。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Type a command, then Enter</source>

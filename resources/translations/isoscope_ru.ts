@@ -589,8 +589,8 @@
         <translation>Отчёт</translation>
     </message>
     <message>
-        <source>&lt;p&gt;What the solid is like: pieces, tunnels, extent, volume, area, walls and symmetry, in sentences; and where the function has no value, no bound, no slope or no digits.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Каково тело: части, туннели, протяжённость, объём, площадь, стенки и симметрия, словами; и где у функции нет значения, границы, наклона или верных цифр.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;What the solid is like: pieces, tunnels, extent, volume, area, walls and symmetry, in sentences; and the health of the function: where it has no value, bound, slope or digits.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Каково тело: части, туннели, протяжённость, объём, площадь, стенки и симметрия, словами; и здоровье функции: где у неё нет значения, границы, наклона или верных цифр.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Ray</source>
@@ -1975,8 +1975,8 @@
         <translation>Команды</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Every command of the menus. Type words of its name and press Enter.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Все команды меню. Введите слова её названия и нажмите Enter.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Every command of the menus. Type words of its name, or of what it tells of itself, and press Enter.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Все команды меню. Введите слова её названия или описания и нажмите Enter.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Type a command, then Enter</source>

@@ -53,7 +53,11 @@ class CommandPaletteTest : public QObject {
         QCOMPARE(paletteRank(path, QStringLiteral("DA")), std::optional(1));
         QCOMPARE(paletteRank(path, QStringLiteral("DA the")), std::optional(2));
         QCOMPARE(paletteRank(path, QStringLiteral("ark")), std::optional(3));
-        QCOMPARE(paletteRank(path, QStringLiteral("vtd")), std::optional(4));
+        const QString help = QStringLiteral("Light letters on a Night sky");
+        QCOMPARE(paletteRank(path, QStringLiteral("night"), help), std::optional(4));
+        QCOMPARE(paletteRank(path, QStringLiteral("dark let"), help), std::optional(4));
+        QVERIFY(!paletteRank(path, QStringLiteral("ight"), help));
+        QCOMPARE(paletteRank(path, QStringLiteral("vtd"), help), std::optional(5));
         QVERIFY(!paletteRank(path, QStringLiteral("dark light")));
         QVERIFY(!paletteRank(path, QStringLiteral("krad")));
     }
@@ -93,6 +97,20 @@ class CommandPaletteTest : public QObject {
         QVERIFY(d.rests());
         QVERIFY(openFrom(d->editor()));
         QCOMPARE(palette()->shown().first(), QStringLiteral("View › Axes"));
+    }
+
+    /// “health” was found in examples alone, by letters here and there.
+    void whatAPanelTellsLeadsToIt() {
+        QWidget* field = openFrom((*driver_)->editor());
+        QVERIFY(field);
+        for (const auto& [words, panel] : {std::pair("health", "Report"),
+                                           {"volume tunnels", "Report"},
+                                           {"derivatives", "Formula"},
+                                           {"holes proof", "Repair"}}) {
+            palette()->findChild<QLineEdit*>()->setText(words);
+            const QStringList shown = palette()->shown();
+            QVERIFY2(!shown.isEmpty() && shown.first().endsWith(panel), words);
+        }
     }
 
     void itActsWhereTheFocusWas() {

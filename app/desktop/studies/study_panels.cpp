@@ -296,7 +296,8 @@ StudyPanels::StudyPanels()
               "report", Words::tr("Report"),
               Words::tr(
                   "<p>What the solid is like: pieces, tunnels, extent, volume, area, walls and symmetry, in "
-                  "sentences; and where the function has no value, no bound, no slope or no digits.</p>"),
+                  "sentences; and the health of the function: where it has no value, bound, slope or "
+                  "digits.</p>"),
               connectReport)),
           closedAtFirst(
               row("sheet", Words::tr("Sheet"),

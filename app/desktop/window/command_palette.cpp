@@ -13,6 +13,7 @@
 #include <QMenuBar>
 #include <QScrollBar>
 #include <QSettings>
+#include <QTextDocumentFragment>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -25,6 +26,9 @@ const QString separator = QStringLiteral(" › ");
 constexpr int recentKept = 12;
 constexpr int rowsShown = 12, widest = 640, margin = 8;
 
+/// Without the marks of rich text.
+QString plainText(const QString& text) { return QTextDocumentFragment::fromHtml(text).toPlainText(); }
+
 void collectFrom(QMenu* menu, const QString& prefix, QList<PaletteCommand>& commands) {
     for (QAction* action : menu->actions()) {
         if (action->isSeparator() || !action->isVisible() || action->text().isEmpty()) continue;
@@ -32,7 +36,7 @@ void collectFrom(QMenu* menu, const QString& prefix, QList<PaletteCommand>& comm
         if (action->menu())
             collectFrom(action->menu(), path, commands);
         else
-            commands.append({path, action});
+            commands.append({path, plainText(action->whatsThis()), action});
     }
 }
 
@@ -53,23 +57,21 @@ bool lettersInOrder(const QString& path, const QString& part) {
 
 }  // namespace
 
-std::optional<int> paletteRank(const QString& path, const QString& typed) {
+std::optional<int> paletteRank(const QString& path, const QString& typed, const QString& help) {
     const QString name = path.toCaseFolded(), wanted = typed.simplified().toCaseFolded();
     if (wanted.isEmpty()) return 0;
     const QString own = name.section(separator, -1);
     if (own == wanted || own == wanted + QStringLiteral("…")) return 0;
     if (own.startsWith(wanted)) return 1;
-    int rank = 2;
-    for (const QString& part : wanted.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
-        if (beginsWord(name, part)) continue;
-        if (name.contains(part))
-            rank = std::max(rank, 3);
-        else if (lettersInOrder(name, part))
-            rank = 4;
-        else
-            return std::nullopt;
-    }
-    return rank;
+    const QStringList parts = wanted.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    const auto each = [&](const auto& isFound) { return std::ranges::all_of(parts, isFound); };
+    const auto beginsInName = [&](const QString& part) { return beginsWord(name, part); };
+    if (each(beginsInName)) return 2;
+    if (each([&](const QString& part) { return name.contains(part); })) return 3;
+    const QString told = help.toCaseFolded();
+    if (each([&](const QString& part) { return beginsInName(part) || beginsWord(told, part); })) return 4;
+    if (each([&](const QString& part) { return lettersInOrder(name, part); })) return 5;
+    return std::nullopt;
 }
 
 void CommandPalette::toggle(QMainWindow* window) {
@@ -90,7 +92,9 @@ CommandPalette::CommandPalette(QMainWindow* window)
     setFrameShadow(QFrame::Raised);
     setAutoFillBackground(true);
     setAccessibleName(tr("Commands"));
-    setWhatsThis(tr("<p>Every command of the menus. Type words of its name and press Enter.</p>"));
+    setWhatsThis(
+        tr("<p>Every command of the menus. Type words of its name, or of what it tells of itself, and press "
+           "Enter.</p>"));
     field_ = new QLineEdit;
     field_->setPlaceholderText(tr("Type a command, then Enter"));
     field_->setAccessibleName(tr("Words of a command"));
@@ -134,7 +138,7 @@ void CommandPalette::fill(const QString& typed) {
     };
     QList<Match> matches;
     for (const PaletteCommand& command : commands_) {
-        const auto rank = paletteRank(command.path, typed);
+        const auto rank = paletteRank(command.path, typed, command.help);
         const qsizetype age = recent_.indexOf(command.path);
         if (rank) matches.append({*rank, age < 0 ? recent_.size() : age, &command});
     }

@@ -14,16 +14,18 @@ class QTreeWidget;
 
 namespace isoscope {
 
-/// A command of the menus: where it stands, “View › Theme › Dark”, and what it does.
+/// A command of the menus: where it stands, “View › Theme › Dark”, what it tells of itself, and what it does.
 struct PaletteCommand {
     QString path;
+    QString help;  ///< plain text
     QAction* action;
 };
 
 /// How well what was typed names a command: 0 it is the name at the end of `path`, or empty; 1 that name
-/// begins with it; 2 each of its words begins a word of `path`; 3 each is found in it; 4 the letters of each
-/// are found in their order. Nothing where a letter is missing. Upper and lower case are the same.
-std::optional<int> paletteRank(const QString& path, const QString& typed);
+/// begins with it; 2 each of its words begins a word of `path`; 3 each is found in it; 4 each begins a word
+/// of `path` or of `help`; 5 the letters of each are found in their order. Nothing where a letter is missing.
+/// Upper and lower case are the same.
+std::optional<int> paletteRank(const QString& path, const QString& typed, const QString& help = {});
 
 /// All commands of the window's menus by words, over the top of the window: a field and the commands that it
 /// names, best first, among equals those that were chosen last. Enter runs one with the focus where it was
