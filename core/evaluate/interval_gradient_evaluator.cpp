@@ -194,7 +194,10 @@ IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape>
         loops_.push_back(
             std::make_unique<IntervalGradientEvaluator>(tape_->loops()[k].body, uniforms.loops[k]));
     fold_ = foldOf(*tape_);
-    for (const std::size_t root : sharedRoots(*tape_)) roots_.push_back({root, {}});
+    const std::vector<std::size_t> roots = sharedRoots(*tape_);
+    roots_.resize(roots.size());
+    rootAt_.assign(open_.size(), static_cast<std::uint32_t>(roots.size()));
+    for (std::size_t k = 0; k < roots.size(); ++k) rootAt_[roots[k]] = static_cast<std::uint32_t>(k);
     wantedRoots_ = wantedRoots(*tape_);
     cuts_ = roundingCuts(*tape_, this->uniforms());
     powers_ = wholePowers(*tape_);
@@ -410,32 +413,23 @@ double IntervalGradientEvaluator::steepnessByRoots(std::span<const Interval, 3> 
         if (first == roots_.size()) return raised(total + part.steepness);
         const std::size_t end = std::min(first + axes, roots_.size());
         for (std::size_t k = first; k < end; ++k)
-            total = raised(total + raised(part.slope[k - first].size() * roots_[k].last.steepness));
+            total = raised(total + raised(part.slope[k - first].size() * roots_[k].steepness));
         first = end;
     }
     return unlimited;
 }
 
-/// A root while roots and coordinates are independent of each other; none for what is not one.
-std::optional<IntervalGradient> IntervalGradientEvaluator::rootInstead(std::size_t index) {
-    if (!firstRoot_) return {};
-    for (std::size_t k = 0; k < roots_.size(); ++k) {
-        if (roots_[k].instruction != index) continue;
-        const IntervalGradient& last = roots_[k].last;
-        if (!last.bounded() || last.value.maybeUndefined)
-            return hazardous(last.value, last.axes, GradientHazard::unknown);
-        if (k < *firstRoot_ || k >= *firstRoot_ + 3) return constant(last.value);
-        return coordinate(k - *firstRoot_, last.value);
-    }
-    return {};
+/// A root while roots and coordinates are independent of each other.
+IntervalGradient IntervalGradientEvaluator::rootInstead(std::size_t root) const {
+    const auto& [value, steepness] = roots_[root];
+    if (!(steepness < unlimited) || value.maybeUndefined) return hazardous(value, 7, GradientHazard::unknown);
+    const std::size_t first = *firstRoot_;
+    return root < first || root >= first + 3 ? constant(value) : coordinate(root - first, value);
 }
 
-void IntervalGradientEvaluator::noteRoot(std::size_t index, const IntervalGradient& root) {
-    for (Root& known : roots_) {
-        if (known.instruction != index) continue;
-        known.last = root;
-        blurred_ = blurred_ || !root.smooth;
-    }
+void IntervalGradientEvaluator::noteRoot(std::size_t root, const IntervalGradient& found) {
+    roots_[root] = {found.value, found.bounded() ? found.steepness : unlimited};
+    blurred_ = blurred_ || !found.smooth;
 }
 
 /// Whether it came to the end before a stop did.
@@ -446,8 +440,9 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
     for (std::size_t i = 0; i < instructions.size(); ++i) {
         if (++steps_ % pace == 0 && LoopStop::requested()) return false;
         IntervalGradient& target = slots_[instructions[i].target];
-        if (const auto root = rootInstead(i)) {
-            target = *root;
+        const bool isRoot = rootAt_[i] < roots_.size();
+        if (isRoot && firstRoot_) {
+            target = rootInstead(rootAt_[i]);
         } else if (i != fold_) {
             // The operands may be where the result will be.
             IntervalGradient whole = execute(instructions[i], i, loopAllowance);
@@ -462,7 +457,7 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
             target = execute(instructions[i], i, loopAllowance);
             lastFold_ = {target.value, target.steepness, std::countr_zero(target.axes)};
         }
-        if (!firstRoot_) noteRoot(i, target);
+        if (isRoot && !firstRoot_) noteRoot(rootAt_[i], target);
         if (finely_) parts_->note(i, target);
         if (middle_ != Middle::none) useMiddle(i, target);
         if (isBase_[i]) bases_[i] = target;

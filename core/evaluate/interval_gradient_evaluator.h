@@ -115,8 +115,8 @@ class IntervalGradientEvaluator {
 
   private:
     bool run(double loopAllowance);
-    std::optional<IntervalGradient> rootInstead(std::size_t index);
-    void noteRoot(std::size_t index, const IntervalGradient& root);
+    IntervalGradient rootInstead(std::size_t root) const;
+    void noteRoot(std::size_t root, const IntervalGradient& found);
     IntervalGradient execute(const Instruction& instruction, std::size_t index, double loopAllowance);
     bool isLed(std::size_t index) const;
     bool nextSide(std::size_t index);
@@ -158,12 +158,14 @@ class IntervalGradientEvaluator {
     std::optional<std::size_t> fold_;  ///< its instruction
     Fold lastFold_;
     bool folds_ = false;  ///< whether `lastFold_` takes its place
+    /// What the last evaluate() found of one of sharedRoots().
     struct Root {
-        std::size_t instruction;
-        IntervalGradient last;  ///< over the box of the last evaluate()
+        Interval value;
+        double steepness = 0;  ///< infinite where the root has no bound
     };
-    std::vector<Root> roots_;  ///< sharedRoots()
-    bool blurred_ = false;     ///< whether one of them is not smooth
+    std::vector<Root> roots_;
+    std::vector<std::uint32_t> rootAt_;  ///< by instruction: which one it is; their number for none
+    bool blurred_ = false;               ///< whether one of them is not smooth
     /// Which of them are the coordinates, from this one on, while all others are constants; those are when it
     /// is their number.
     std::optional<std::size_t> firstRoot_;
