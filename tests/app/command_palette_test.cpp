@@ -106,7 +106,7 @@ class CommandPaletteTest : public QObject {
         for (const auto& [words, panel] : {std::pair("health", "Report"),
                                            {"volume tunnels", "Report"},
                                            {"derivatives", "Formula"},
-                                           {"holes proof", "Repair"}}) {
+                                           {"worth proof", "Repair"}}) {
             palette()->findChild<QLineEdit*>()->setText(words);
             const QStringList shown = palette()->shown();
             QVERIFY2(!shown.isEmpty() && shown.first().endsWith(panel), words);

@@ -158,6 +158,9 @@ void CommandPalette::fill(const QString& typed) {
     }
     list_->setCurrentItem(nullptr);
     move(1);
+    // Enter runs nothing that what was typed names less well than a command that cannot be run now.
+    const int chosen = list_->currentIndex().row();
+    if (chosen > 0 && matches[chosen].rank > matches.first().rank) list_->setCurrentItem(nullptr);
 }
 
 void CommandPalette::place() {
