@@ -163,6 +163,64 @@ class NormGradientTest : public QObject {
             over([](auto x, auto y, auto z) { return abs(x) + abs(y) + abs(z); }, box);
         QVERIFY(octahedron.bounded() && octahedron.steepness < std::sqrt(3.0) + 1e-12);
     }
+
+    /// Of the products of random vectors, with and without roundings around them: the longest sum of the
+    /// vectors times numbers whose squares sum up to 1, by many steps of the power iteration, is held and
+    /// hardly exceeded.
+    void largestEigenvaluesAreBoundedClosely() {
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> number(-2, 2);
+        for (int round = 0; round < 500; ++round) {
+            std::array<double, 6> m{};
+            const int vectors = 1 + static_cast<int>(random() % 4);
+            for (int k = 0; k < vectors; ++k) {
+                const double v[3] = {number(random), number(random), number(random)};
+                for (std::size_t i = 0; i < 3; ++i)
+                    for (std::size_t j = i; j < 3; ++j) m[bendIndex(i, j)] += v[i] * v[j];
+            }
+            Point w{1, 0.7, -0.4};
+            double largest = 0;
+            for (int step = 0; step < 2000; ++step) {
+                Point next{};
+                for (std::size_t i = 0; i < 3; ++i)
+                    for (std::size_t j = 0; j < 3; ++j) next[i] += m[bendIndex(i, j)] * w[j];
+                largest = std::hypot(next[0], next[1], next[2]);
+                for (std::size_t i = 0; i < 3; ++i) w[i] = next[i] / largest;
+            }
+            std::array<SlopeRange, 6> exact, wide;
+            for (std::size_t k = 0; k < 6; ++k) {
+                exact[k] = {m[k], m[k]};
+                wide[k] = {m[k] - 1e-3, m[k] + 2e-3};
+            }
+            const double bound = gradient_rules::eigenvalueAbove(exact);
+            QVERIFY(bound >= largest * (1 - 1e-12) && bound < 1.0001 * largest);
+            const double wider = gradient_rules::eigenvalueAbove(wide);
+            QVERIFY(wider >= bound * (1 - 1e-4) && wider < 1.0001 * (largest + 9e-3));
+        }
+        // What is not finite has no bound, and no matrix but nothing has none at all.
+        QVERIFY(!(gradient_rules::eigenvalueAbove({SlopeRange::within(INFINITY)}) < INFINITY));
+        QVERIFY(gradient_rules::eigenvalueAbove({}) < 1e-100);
+    }
+
+    /// How far a place is beyond two planes that look away from each other: neither distance is negative, and
+    /// where one grows the other falls. Of any signs the norm would climb by 1.34.
+    void partsThatAreNotNegativeAddUpWhereTheyClimbAlike() {
+        const auto beyond = [](Expression u) { return max(u, 0.0); };
+        const Interval near{-0.01, 0.01, false};
+        const IntervalGradient corner =
+            over([&](auto x, auto y, auto) { return sqrt(sq(beyond(x)) + sq(beyond(0.6 * y - 0.8 * x))); },
+                 {near, near, near});
+        QVERIFY(corner.bounded() && corner.steepness < 1 + 1e-6);
+        const IntervalGradient alike =
+            over([&](auto x, auto y, auto) { return sqrt(sq(beyond(x)) + sq(beyond(0.6 * y + 0.8 * x))); },
+                 {near, near, near});
+        QVERIFY(alike.steepness >= std::sqrt(1.8) && alike.steepness < 1.0001 * std::sqrt(1.8));
+        // Of different signs it is the other way round.
+        const IntervalGradient opposite =
+            over([&](auto x, auto y, auto) { return sqrt(sq(beyond(x)) + sq(-beyond(0.6 * y - 0.8 * x))); },
+                 {near, near, near});
+        QVERIFY(opposite.steepness < 1 + 1e-6);
+    }
 };
 
 QTEST_APPLESS_MAIN(NormGradientTest)

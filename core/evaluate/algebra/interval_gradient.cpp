@@ -69,16 +69,67 @@ double lengthBelow(const std::array<SlopeRange, 3>& v) {
     return rootBelow(sum);
 }
 
+namespace {
+
+using SymmetricMatrix = std::array<double, 6>;
+
+/// The largest eigenvalue, nearly: the roots of a cubic by angles.
+double eigenvalueNear(const SymmetricMatrix& m) {
+    const auto at = [&](std::size_t i, std::size_t j) { return m[bendIndex(i, j)]; };
+    const double middle = (at(0, 0) + at(1, 1) + at(2, 2)) / 3;
+    const double a = at(0, 0) - middle, b = at(1, 1) - middle, c = at(2, 2) - middle;
+    const double besides = at(0, 1) * at(0, 1) + at(0, 2) * at(0, 2) + at(1, 2) * at(1, 2);
+    const double spread = std::sqrt((a * a + b * b + c * c + 2 * besides) / 6);
+    if (!(spread > 0)) return middle;
+    const double determinant = a * (b * c - at(1, 2) * at(1, 2)) -
+                               at(0, 1) * (at(0, 1) * c - at(1, 2) * at(0, 2)) +
+                               at(0, 2) * (at(0, 1) * at(1, 2) - b * at(0, 2));
+    const double cosine = std::clamp(determinant / (2 * spread * spread * spread), -1.0, 1.0);
+    return middle + 2 * spread * std::cos(std::acos(cosine) / 3);
+}
+
+/// Whether no eigenvalue is as large as `bound`, for certain: the minors of the difference are above 0 by
+/// more than their roundings.
+bool isAboveEigenvalues(const SymmetricMatrix& m, double bound) {
+    double largest = bound;
+    for (const double entry : m) largest = std::max(largest, std::abs(entry));
+    const auto at = [&](std::size_t i, std::size_t j) {
+        return (i == j ? bound - m[bendIndex(i, j)] : -m[bendIndex(i, j)]) / largest;
+    };
+    constexpr double rounding = 1e-14;  // of sums of products of up to three numbers below 2
+    const double first = at(0, 0), second = at(0, 0) * at(1, 1) - at(0, 1) * at(0, 1);
+    const double third = at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(1, 2)) -
+                         at(0, 1) * (at(0, 1) * at(2, 2) - at(1, 2) * at(0, 2)) +
+                         at(0, 2) * (at(0, 1) * at(1, 2) - at(1, 1) * at(0, 2));
+    return first > rounding && second > rounding && third > rounding;
+}
+
+}  // namespace
+
 double eigenvalueAbove(const std::array<SlopeRange, 6>& m) {
-    double trace = 0, widest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        double row = m[bendIndex(i, i)].high;
-        trace = raised(trace + row);
-        for (std::size_t j = 0; j < 3; ++j)
-            if (j != i) row = raised(row + m[bendIndex(i, j)].size());
-        widest = std::max(widest, row);
+    double trace = 0, widest = 0, spread = 0;
+    SymmetricMatrix middle;
+    std::array<double, 6> reach;
+    for (std::size_t k = 0; k < 6; ++k) {
+        middle[k] = 0.5 * m[k].low + 0.5 * m[k].high;
+        reach[k] = std::max(raised(m[k].high - middle[k]), raised(middle[k] - m[k].low));
     }
-    return std::min(trace, widest);
+    for (std::size_t i = 0; i < 3; ++i) {
+        double row = m[bendIndex(i, i)].high, besides = reach[bendIndex(i, i)];
+        trace = raised(trace + row);
+        for (std::size_t j = 0; j < 3; ++j) {
+            if (j == i) continue;
+            row = raised(row + m[bendIndex(i, j)].size());
+            besides = raised(besides + reach[bendIndex(i, j)]);
+        }
+        widest = std::max(widest, row);
+        spread = std::max(spread, besides);
+    }
+    const double bound = std::min(trace, widest);
+    // Rows of matrices with large entries beside the diagonal say too much.
+    constexpr double slack = 1e-5;
+    const double near = eigenvalueNear(middle) * (1 + slack), closer = raised(near + spread);
+    return closer < bound && isAboveEigenvalues(middle, near) ? closer : bound;
 }
 
 void settle(IntervalGradient& a) {

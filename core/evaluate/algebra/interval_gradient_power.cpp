@@ -40,16 +40,21 @@ std::array<SlopeRange, 6> spreadWithin(double steepness) {
 
 namespace {
 
-/// At most so large is the product of both gradients; infinite where that is not known.
+/// At most so large is the product of both gradients, times the signs of the values, where it makes a norm of
+/// both climb faster; infinite where that is not known.
 double dotOf(const PowerRoot& a, const PowerRoot& b) {
     if (!a.known || !b.known) return std::numeric_limits<double>::infinity();
     SlopeRange dot;
     for (std::size_t i = 0; i < 3; ++i) dot = dot + a.slope[i] * b.slope[i];
-    return dot.size();
+    const auto hasSign = [](const PowerRoot& root) { return root.value.low >= 0 || root.value.high <= 0; };
+    if (!hasSign(a) || !hasSign(b)) return dot.size();
+    const bool alike = (a.value.low >= 0) == (b.value.low >= 0);
+    return std::max(0.0, alike ? dot.high : -dot.low);
 }
 
-/// The longest v u + w t for v^2 + w^2 = 1, of vectors u and t that are no longer than these and have a
-/// product no larger than `dot`: the root of the larger eigenvalue of their products.
+/// The longest v u + w t for v^2 + w^2 = 1, of vectors u and t that are no longer than these and whose
+/// product times the sign of v w is no larger than `dot`: the root of the larger eigenvalue of their
+/// products.
 double spanAbove(double u, double t, double dot) {
     const double uu = raised(u * u), tt = raised(t * t), trace = raised(uu + tt);
     if (!(dot < raised(u * t))) return rootAbove(trace);

@@ -4,6 +4,7 @@
 #include <bit>
 #include <optional>
 #include <queue>
+#include <utility>
 #include <vector>
 
 #include "core/evaluate/interval_gradient_evaluator.h"
@@ -78,7 +79,7 @@ class RootFunction {
         const Function g = functionOf(
             tape, function.uniforms().values,
             {[&](FunctionGraph& graph, std::size_t axis) {
-                 return stretched(graph, std::min(place(0, coordinates, axis), result.arguments_.size()));
+                 return stretched(graph, place(0, coordinates, axis));
              },
              [&](FunctionGraph& graph, std::size_t instruction) {
                  return stretched(graph, place(coordinates, result.arguments_.size(), instruction));
@@ -100,10 +101,12 @@ class RootFunction {
 
     std::uint64_t evaluations() const { return evaluator_->evaluations(); }
 
-    /// At least the sum of the magnitudes of the slopes anywhere in the box.
-    double boundOf(const GradientBox& box, double target) {
+    /// At least the sum of the magnitudes of the slopes anywhere in the box. Sets the axis along which they
+    /// change most.
+    double boundOf(const GradientBox& box, double target, int& axis) {
         const auto range = box.intervals();
         const IntervalGradient whole = evaluator_->evaluate(range);
+        axis = mostChanging(box, whole);
         if (whole.value.empty()) return 0;
         if (!whole.bounded() || whole.value.maybeUndefined) return infinite;
         const double all = sizeOf(whole.slope);
@@ -122,6 +125,22 @@ class RootFunction {
 
     static double sizeOf(const std::array<SlopeRange, 3>& slope) {
         return raised(raised(slope[0].size() + slope[1].size()) + slope[2].size());
+    }
+
+    static int mostChanging(const GradientBox& box, const IntervalGradient& whole) {
+        const glm::dvec3 extent = box.high - box.low;
+        glm::dvec3 change = extent;
+        for (int k = 0; whole.smooth && k < 3; ++k) {
+            double bend = 0;
+            for (int j = 0; j < 3; ++j)
+                bend +=
+                    whole.bend[bendIndex(static_cast<std::size_t>(k), static_cast<std::size_t>(j))].size();
+            change[k] *= bend;
+        }
+        int axis = 0;
+        for (int k = 1; k < 3; ++k)
+            if (std::pair(change[k], extent[k]) > std::pair(change[axis], extent[axis])) axis = k;
+        return axis;
     }
 
     double boundOfPiece(const GradientBox& box, unsigned sides, double target) {
@@ -181,29 +200,27 @@ RootBound boundByRoots(const PreparedFunction& function, const GradientDomain& d
     struct Part {
         GradientBox box;
         double bound;
+        int axis;  ///< to halve along
         bool operator<(const Part& other) const { return bound < other.bound; }
     };
     std::priority_queue<Part> parts;
     double done = 0;
     const auto look = [&](const GradientBox& box, double known) {
-        const double bound = std::min(known, g->boundOf(box, target));
+        int axis = 0;
+        const double bound = std::min(known, g->boundOf(box, target, axis));
         if (bound <= target)
             done = std::max(done, bound);
         else
-            parts.push({box, bound});
+            parts.push({box, bound, axis});
     };
     look(g->domain(), infinite);
     while (!parts.empty() && g->evaluations() < mostBoxes && !LoopStop::requested()) {
         const Part part = parts.top();
-        const glm::dvec3 extent = part.box.high - part.box.low;
-        int axis = 0;
-        for (int k = 1; k < 3; ++k)
-            if (extent[k] > extent[axis]) axis = k;
-        const double middle = part.box.center()[axis];
-        if (!(middle > part.box.low[axis] && middle < part.box.high[axis])) break;
+        const double middle = part.box.center()[part.axis];
+        if (!(middle > part.box.low[part.axis] && middle < part.box.high[part.axis])) break;
         parts.pop();
         GradientBox lower = part.box, upper = part.box;
-        lower.high[axis] = upper.low[axis] = middle;
+        lower.high[part.axis] = upper.low[part.axis] = middle;
         look(lower, part.bound);
         look(upper, part.bound);
     }
