@@ -59,8 +59,6 @@ AffineEvaluator::AffineEvaluator(std::shared_ptr<const PreparedFunction> functio
       programs_(function_),
       certain_(hasCertainBounds(*tape_)) {
     lookAtTape();
-    for (int k = 0; k < tape_->argumentCount(); ++k)
-        std::fill_n(workspace_.ownArgument(k), components * batchLanes, 0.0);
 }
 
 void AffineEvaluator::lookAtTape() {

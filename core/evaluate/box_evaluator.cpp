@@ -22,10 +22,7 @@ Choice choiceOf(std::uint8_t sides) {
 BoxEvaluator::BoxEvaluator(std::shared_ptr<const PreparedFunction> function)
     : function_(std::move(function)),
       tape_(function_->tape().get()),
-      workspace_(*tape_, function_->uniforms(), components) {
-    for (int k = 0; k < tape_->argumentCount(); ++k)
-        std::fill_n(workspace_.ownArgument(k), components * batchLanes, 0.0);
-}
+      workspace_(*tape_, function_->uniforms(), components) {}
 
 BoxEvaluator::BoxEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
     : BoxEvaluator(PreparedFunction::of(std::move(tape), parameters)) {}

@@ -117,11 +117,12 @@ struct NoiseBox {
             // Coordinates of gradient noise are rounded at a distance of 10^7 from where they are.
             const double rounding = shifted ? (size + 10000001) * 2.3e-16 : 0;
             const double far = std::max(side.high - center[k], center[k] - side.low);
-            const double along = far * (1 + 1e-14) + size * 2.3e-16 + rounding;
+            // With room for the roundings of what is made of it.
+            const double along = (far + size * 2.3e-16 + rounding) * (1 + 1e-14);
             sum += along;
             squares += along * along;
         }
-        reach = std::min(sum * bounds.slope, std::sqrt(squares) * bounds.lipschitz) * (1 + 1e-14);
+        reach = std::min(sum * bounds.slope, std::sqrt(squares) * bounds.lipschitz);
     }
 
     Interval around(double value) const {

@@ -25,10 +25,7 @@ bool SlopeEvaluator::covers(const Tape& tape) {
 SlopeEvaluator::SlopeEvaluator(std::shared_ptr<const PreparedFunction> function)
     : function_(std::move(function)),
       global_(function_->global()),
-      workspace_(*function_->tape(), function_->uniforms(), components, &global_->domains()) {
-    for (int k = 0; k < workspace_.tape().argumentCount(); ++k)
-        std::fill_n(workspace_.ownArgument(k), components * batchLanes, 0.0);
-}
+      workspace_(*function_->tape(), function_->uniforms(), components, &global_->domains()) {}
 
 SlopeEvaluator::SlopeEvaluator(std::shared_ptr<const Tape> tape, std::span<const double> parameters)
     : SlopeEvaluator(PreparedFunction::of(std::move(tape), parameters)) {}

@@ -67,6 +67,11 @@ double gap(double inside, int offset) {
     return offset < 0 ? std::max(0.0, inside - offset - 1 - slack) : 0;
 }
 
+std::array<std::int64_t, 3> indexOf(const std::array<double, 3>& cell) {
+    return {static_cast<std::int64_t>(cell[0]), static_cast<std::int64_t>(cell[1]),
+            static_cast<std::int64_t>(cell[2])};
+}
+
 CrackleDistances finished(const Smallest& squares, double offset) {
     CrackleDistances found = squares.distances();
     for (double& d : found.d) d = std::sqrt(offset != 0 ? d + offset * offset : d);
@@ -93,8 +98,7 @@ CrackleDistances euclidean(const std::array<double, 3>& p, const std::array<doub
             const double distance = gap(p[axis] - cell[axis], o);
             squaredGaps[axis][o + 2] = distance * distance;
         }
-    std::array<std::int64_t, 3> index;
-    for (std::size_t axis = 0; axis < 3; ++axis) index[axis] = static_cast<std::int64_t>(cell[axis]);
+    const std::array<std::int64_t, 3> index = indexOf(cell);
     Smallest smallest;
     for (const CellOffset& o : offsets) {
         const double least =
@@ -142,8 +146,7 @@ CrackleDistances general(const std::array<double, 3>& p, const CrackleCandidates
 /// The same by looking at all cells.
 CrackleDistances general(const std::array<double, 3>& p, const std::array<double, 3>& cell, double metric,
                          double offset) {
-    std::array<std::int64_t, 3> index;
-    for (std::size_t axis = 0; axis < 3; ++axis) index[axis] = static_cast<std::int64_t>(cell[axis]);
+    const std::array<std::int64_t, 3> index = indexOf(cell);
     GeneralSmallest smallest(p, metric);
     for (const CellOffset& o : offsets)
         smallest.add(cracklePoint(index[0] + o.axis[0], index[1] + o.axis[1], index[2] + o.axis[2]));

@@ -159,6 +159,18 @@ class AffineCrackleTest : public QObject {
         QCOMPARE(anything.a + anything.e, 1.0);
     }
 
+    /// The ends of a piece count as the numbers they are, not as their rounded sum.
+    void aPieceBeyondTheLongestReachIsLeftOpen() {
+        const auto open = [](double slope, double error) {
+            const Forms forms{{{0.5, slope, error}, {0.5, 0, 0}, {0.5, 0, 0}}};
+            const AffineForm form = affineCrackle(forms, {});
+            return form.b == 0 && form.e == 0.5;
+        };
+        QVERIFY(!open(std::nextafter(longestCrackleReach, 0) * (1 - 1e-13), 0));
+        QVERIFY(longestCrackleReach + 1e-17 == longestCrackleReach);
+        QVERIFY(open(longestCrackleReach, 1e-17));
+    }
+
     void boxesHoldTheValues() {
         Random random;
         for (int round = 0; round < 20000; ++round) {

@@ -10,6 +10,7 @@
 #include "tests/support/exact_evaluator.h"
 #include "tests/support/exact_pieces.h"
 #include "tests/support/random_function.h"
+#include "tests/support/tape_of.h"
 #include "tests/support/test_setting.h"
 
 using namespace isoscope;
@@ -78,6 +79,15 @@ RayPieces piece(std::array<double, 3> origin, std::array<double, 3> direction, d
     pieces.start.fill(start);
     pieces.length.fill(length);
     return pieces;
+}
+
+/// The form of make(x, y, z) along the first of the pieces.
+template <class Make>
+AffineForm along(Make make, const RayPieces& pieces) {
+    AffineEvaluator evaluator(tapeOf(make), {});
+    AffineForm form;
+    evaluator.evaluate(pieces, {&form, 1});
+    return form;
 }
 
 }  // namespace
@@ -319,6 +329,70 @@ class AffineEvaluatorTest : public QObject {
         QVERIFY2(forms[0].e < 0.6, qPrintable(QString::number(forms[0].e)));
         evaluator.evaluate(piece({0.1, 0.2, 0}, {1, 2, 0}, 0, 8), forms);
         QVERIFY2(forms[0].e < 1e-8, qPrintable(QString::number(forms[0].e)));
+    }
+
+    /// Beside a line with the slope of the operand.
+    void aStepLeavesOpenHalfItsHeight() {
+        for (const Operation step : {Operation::floor, Operation::ceiling}) {
+            const AffineForm form = along([step](auto x, auto, auto) { return apply(step, x); },
+                                          piece({0.5, 0, 0}, {1, 0, 0}, 0, 1));
+            QCOMPARE(form.b, 0.5);
+            QVERIFY2(form.e >= 0.5 && form.e < 0.5 + 1e-12, qPrintable(QString::number(form.e, 'g', 17)));
+        }
+    }
+
+    void anOpenComparisonIsBetweenZeroAndOne() {
+        const RayPieces across = piece({-1, 0, 0}, {1, 0, 0}, 0, 3);
+        for (const Operation comparison :
+             {Operation::less, Operation::lessEqual, Operation::greater, Operation::greaterEqual,
+              Operation::equal, Operation::notEqual, Operation::logicalAnd, Operation::logicalOr}) {
+            // With 1, `and` depends on the first operand, and with 0 the others do.
+            const double other = comparison == Operation::logicalAnd ? 1 : 0;
+            const AffineForm form =
+                along([=](auto x, auto, auto) { return apply(comparison, x, x.number(other)); }, across);
+            QVERIFY2(form.a == 0.5 && form.b == 0 && form.e == 0.5, name(comparison).data());
+        }
+    }
+
+    /// At 1 the area tangent is infinite, as at 0 the logarithm is; that is not to have no value.
+    void aPoleIsNotUndefined() {
+        const auto tangent = [](auto x, auto, auto) {
+            return apply(Operation::areaTangent, apply(Operation::hyperbolicCosine, x));
+        };
+        QCOMPARE(along(tangent, piece({-0.25, 0, 0}, {1, 0, 0}, 0, 0.5)).e, INFINITY);
+        QCOMPARE(along(tangent, piece({0.5, 0, 0}, {1, 0, 0}, 0, 0.5)).e, -INFINITY);
+    }
+
+    /// On the cut itself the angle is half a turn in the direction of the sign of 0, which forms do not tell.
+    void anAngleOnItsCutIsEitherHalfTurn() {
+        const AffineForm form = along([](auto x, auto y, auto) { return atan2(floor(x), y); },
+                                      piece({0.25, -2, 0}, {1, 0, 0}, 0, 0.5));
+        QVERIFY(form.a - form.e <= std::atan2(-0.0, -2.0));
+        QVERIFY(form.a + form.e >= std::atan2(0.0, -2.0));
+    }
+
+    /// Where a line leads out of [0, 1], what is left is a range within.
+    void noiseStaysBetweenZeroAndOne() {
+        std::mt19937_64 random(seed + 6);
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1)),
+            z(graph, graph.variable(2));
+        const NodeId root = noise(x.number(2), x, y, z).node();
+        AffineEvaluator evaluator(Tape::compile(finish(std::move(graph), {root}, 3)), {});
+        std::array<AffineForm, batchLanes> forms;
+        int high = 0;
+        for (int round = 0; round < 100; ++round) {
+            RayPieces pieces = randomPieces(random);
+            for (double& length : pieces.length) length = uniform(random, 0, 0.4);
+            evaluator.evaluate(pieces, forms);
+            for (const AffineForm& form : forms) {
+                if (form.b != 0) continue;
+                QVERIFY2(form.a - form.e > -1e-12 && form.a + form.e < 1 + 1e-12,
+                         qPrintable(QString("%1 +- %2").arg(form.a).arg(form.e)));
+                high += form.a - form.e > 0.1 && form.a + form.e > 1 - 1e-12;
+            }
+        }
+        QVERIFY2(high > 20, qPrintable(QString::number(high)));
     }
 
     void randomFunctionsHoldTheirExactValues() {

@@ -11,6 +11,7 @@
 #include "tests/support/exact_pieces.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/random_function.h"
+#include "tests/support/tape_of.h"
 #include "tests/support/test_setting.h"
 
 using namespace isoscope;
@@ -241,6 +242,49 @@ class BoxEvaluatorTest : public QObject {
                              describe(function).c_str());
         }
         QVERIFY2(left < whole / 2, qPrintable(QString::asprintf("%zu of %zu", left, whole)));
+    }
+
+    /// Of equal numbers min and max are the first one, whose 0 may have another sign.
+    void rangesThatMeetLeaveTheSecondOperandOpen() {
+        const auto choiceOf = [](auto make, double x, double y) {
+            BoxEvaluator evaluator(tapeOf(make), {});
+            BoxLanes boxes;
+            boxes.low[0][0] = x, boxes.high[0][0] = x + 1;
+            boxes.low[1][0] = y, boxes.high[1][0] = y + 1;
+            Interval range;
+            evaluator.evaluate(boxes, {&range, 1});
+            return evaluator.choices()[0];
+        };
+        const auto least = [](auto x, auto y, auto) { return min(x, y); };
+        const auto greatest = [](auto x, auto y, auto) { return max(x, y); };
+        QCOMPARE(choiceOf(least, -1, 0), Choice::first);
+        QCOMPARE(choiceOf(least, 0, -1), Choice::open);
+        QCOMPARE(choiceOf(least, 0, -1.5), Choice::second);
+        QCOMPARE(choiceOf(greatest, 0, -1), Choice::first);
+        QCOMPARE(choiceOf(greatest, -1, 0), Choice::open);
+        QCOMPARE(choiceOf(greatest, -1.5, 0), Choice::second);
+    }
+
+    /// Values as doubles may be on the other side of each other than those of real arithmetic.
+    void choicesAreDecidedBeyondRoundings() {
+        const auto choiceOf = [](auto make, double gap) {
+            const auto tape = tapeOf(make);
+            BoxEvaluator evaluator(tape, {});
+            BoxLanes boxes;
+            boxes.high[0][0] = 1;
+            boxes.low[1][0] = 1 + gap, boxes.high[1][0] = 2;
+            Interval range;
+            std::vector<LaneChoices> choices;
+            const TapeLinks links(*tape);
+            evaluator.evaluateChoices(boxes, links.whole(), SignStakes(), {&range, 1}, choices);
+            return choices[0].of(0);
+        };
+        const auto least = [](auto x, auto y, auto) { return min(x, y); };
+        const auto greatest = [](auto x, auto y, auto) { return max(x, y); };
+        QCOMPARE(choiceOf(least, 4e-16), Choice::open);
+        QCOMPARE(choiceOf(greatest, 4e-16), Choice::open);
+        QCOMPARE(choiceOf(least, 4e-15), Choice::first);
+        QCOMPARE(choiceOf(greatest, 4e-15), Choice::second);
     }
 
     void aLanesAnswerDependsOnNothingElse() {

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <vector>
 
+#include "core/evaluate/gradient_evaluator.h"
 #include "core/evaluate/point_evaluator.h"
 #include "core/function/scalar_operations.h"
 #include "tests/support/instruction_sets.h"
@@ -62,6 +63,15 @@ class ExactValuesTest : public QObject {
             }
         }
         QVERIFY(compared > 5000);
+    }
+
+    /// A power of 0 has a slope along its base alone: along the exponent it is 0, or 1 at 0 alone.
+    void aPowerOfZeroIsFlatAlongItsExponent() {
+        GradientEvaluator evaluator(tapeOf([](auto x, auto y, auto) { return pow(x, y); }), {});
+        for (const double exponent : {0.0, 1.0, 2.0, -1.0})
+            QVERIFY2(evaluator.evaluate(0, exponent, 0).gradient[1] == 0,
+                     qPrintable(QString::number(exponent)));
+        QVERIFY(std::abs(evaluator.evaluate(2, 3, 0).gradient[1] - 8 * std::log(2)) < 1e-14);
     }
 };
 

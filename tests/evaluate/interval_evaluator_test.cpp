@@ -175,6 +175,58 @@ class IntervalEvaluatorTest : public QObject {
         QVERIFY(interval.operandRange(4, 0).low >= 0.999);
     }
 
+    /// By its slope, however far from the origin.
+    void noiseOfANarrowBoxIsNarrow() {
+        for (const double sign : {1.0, -1.0})
+            for (const double generator : {0.0, 1.0, 2.0, 3.0}) {
+                const auto side = [sign](double at) {
+                    return Interval{sign * at - 1e-4, sign * at + 1e-4, false};
+                };
+                const Interval range = operationOf(
+                    Operation::noise, {Interval::point(generator), side(50.3), side(30.6), side(70.2)});
+                QVERIFY2(range.width() > 0 && range.width() < 6e-3,
+                         qPrintable(QString::number(range.width())));
+            }
+    }
+
+    void cyclesStayBetweenTheirPeaks() {
+        QVERIFY(operationOf(Operation::cycle, {Interval{0, 1, false}}) == (Interval{-1, 1, false}));
+        QVERIFY(operationOf(Operation::cycle, {Interval{0.2, 0.3, false}}).high == 1.0);
+        QVERIFY(operationOf(Operation::cycle, {Interval{0.7, 0.8, false}}).low == -1.0);
+    }
+
+    void crackleIsDefinedUpToTheEndsOfItsLattice() {
+        const CrackleSettings crackle;
+        constexpr double last = 4e18;
+        const Interval unit{0, 1, false};
+        const auto over = [&](const Interval& side) {
+            const std::array box{unit, side, unit};
+            return evaluateOperation(Operation::crackle, box, &crackle);
+        };
+        QVERIFY(over({-last, last, false}) == unit);
+        for (const double end : {-last, last}) {
+            const std::array point{0.5, end, 0.5};
+            QVERIFY(std::isfinite(evaluateOperation(Operation::crackle, point, &crackle)));
+            QVERIFY(over(Interval::point(std::nextafter(end, 2 * end))).maybeUndefined);
+        }
+    }
+
+    void loopsWithoutBoundsHaveNoSteps() {
+        for (const auto& [loop, empty] :
+             {std::pair{Operation::sum, 0.0}, std::pair{Operation::product, 1.0}}) {
+            FunctionGraph body;
+            const NodeId term = body.unary(Operation::square, body.variable(0));
+            FunctionGraph graph;
+            const NodeId bound = graph.unary(Operation::squareRoot, graph.variable(0));
+            const NodeId root = graph.loop(loop, bound, bound, finish(std::move(body), {term}, 1), {});
+            const Function function = finish(std::move(graph), {root}, 3);
+            const std::array point{-1.0, 0.0, 0.0};
+            QCOMPARE(ReferenceEvaluator(function).evaluate(point, {}), empty);
+            IntervalEvaluator interval(Tape::compile(function), {});
+            QCOMPARE(interval.evaluate(std::array{Interval{-2, -1, false}}), Interval::point(empty));
+        }
+    }
+
     void loopsWithOpenBoundsAreUnknown() {
         FunctionGraph body;
         const NodeId term = body.unary(Operation::square, body.variable(0));

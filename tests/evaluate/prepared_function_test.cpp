@@ -199,6 +199,21 @@ class PreparedFunctionTest : public QObject {
         QCOMPARE(formsOf(again), formsOf(values));
     }
 
+    /// A jump that shows in no sign is one of the values.
+    void keptValuesHaveTheirJumpsAgain() {
+        const auto tape = test::tapeOf([](auto x, auto y, auto z) {
+            return min(sq(x) + y, 3 + sq(z) + select(x, x.number(0), x.number(1)));
+        });
+        const auto function = PreparedFunction::of(tape, {});
+        const auto signs = function->globalFor(0.5);
+        const auto isMinimum = [](const Instruction& i) { return i.operation == Operation::minimum; };
+        QVERIFY(std::ranges::none_of(signs->decided()->instructions, isMinimum));
+        AffineEvaluator evaluator(function, signs);
+        QVERIFY(!evaluator.canJump());
+        evaluator.keepValues();
+        QVERIFY(evaluator.canJump());
+    }
+
     void threadsShareIt() {
         for (const auto& tape : {clampedTape(), longLoop()})
             for (int round = 0; round < 20; ++round) {

@@ -166,6 +166,27 @@ class StepProgramTest : public QObject {
         QCOMPARE(codesOf(wave), (Codes{code(load), code(add), code(store)}));
     }
 
+    /// Memory of the caller is written once; then the workspace's own is again.
+    void aResultGoesToTheCallerUntilTheNextBinding() {
+        FunctionGraph graph;
+        const Expression x(graph, graph.variable(0)), y(graph, graph.variable(1));
+        const NodeId root = (x * y + 1).node();
+        Bound bound(Tape::compile(finish(std::move(graph), {root}, 3)), 1);
+        const Slot result = bound.tape->results()[0];
+        const auto target = [&] {
+            return bound.program.steps(bound.program.stretches().back()).back().target;
+        };
+        double* const own = bound.workspace.slot(result);
+        QCOMPARE(target(), own);
+        std::array<double, batchLanes> lanes{};
+        QVERIFY(!bound.program.writeTo(0, lanes.data()));
+        QCOMPARE(target(), own);
+        QVERIFY(bound.program.writeTo(result, lanes.data()));
+        QCOMPARE(target(), lanes.data());
+        bound.program.bind(bound.workspace);
+        QCOMPARE(target(), own);
+    }
+
     /// Whatever is no step is an instruction between two stretches.
     void otherOperationsEndAStretch() {
         FunctionGraph graph;

@@ -73,6 +73,13 @@ class TapeSimplifierTest : public QObject {
         simplifier.simplify(std::vector<Choice>(5, Choice::first), 0, simplifiedTape);
         QVERIFY(simplifiedTape.instructions.empty());
         QVERIFY(tape->isUniform(simplifiedTape.result));
+        GradientEvaluator gradients(tape, {});
+        const double at[] = {1, 2};
+        const GradientLanes constant = gradients.evaluateLanes({at, at, at}, 2, simplifiedTape);
+        for (std::size_t i = 0; i < 2; ++i) {
+            QCOMPARE(constant.value[i], 10.0);
+            for (const double* slope : constant.gradient) QCOMPARE(slope[i], 0.0);
+        }
     }
 
     /// Of a union nothing has to be left; a clamped factor can go, what it is a factor of cannot.
@@ -113,6 +120,41 @@ class TapeSimplifierTest : public QObject {
         for (const LaneChoices& choice : choices) QCOMPARE(choice.of(0), Choice::open);
     }
 
+    void aPieceTakesTheSideThatItsValuesAreOn() {
+        // x from 1 to 2, and the y that is told.
+        const auto sideOf = [](auto make, double y) {
+            AffineEvaluator evaluator(tapeOf(make), {});
+            std::vector<LaneChoices> choices;
+            evaluator.evaluateChoices(alongX(y, 0, 4, 1), 3, nullptr, choices);
+            return evaluator.evaluations() == 3 && choices.size() == 1 ? choices[0].ofAll(0b111)
+                                                                       : Choice::open;
+        };
+        const auto least = [](auto x, auto y, auto) { return min(x, y); };
+        QCOMPARE(sideOf(least, 5), Choice::first);
+        QCOMPARE(sideOf(least, -1), Choice::second);
+        const auto greatest = [](auto x, auto y, auto) { return max(x, y); };
+        QCOMPARE(sideOf(greatest, -1), Choice::first);
+        QCOMPARE(sideOf(greatest, 5), Choice::second);
+        const auto size = [](auto, auto y, auto) { return abs(y); };
+        QCOMPARE(sideOf(size, 5), Choice::first);
+        QCOMPARE(sideOf(size, -1), Choice::second);
+        const auto selected = [](auto x, auto y, auto z) { return select(y, x, z); };
+        QCOMPARE(sideOf(selected, -1), Choice::first);
+        QCOMPARE(sideOf(selected, 5), Choice::second);
+    }
+
+    void ofCasesThatComeToTheSameAConstantIsLeft() {
+        const auto left = [](auto make) {
+            const auto tape = tapeOf(make);
+            return cheapestCase(*tape, tape->instructions().back());
+        };
+        QCOMPARE(left([](auto x, auto y, auto) { return select(x, y, x.number(1)); }), Choice::second);
+        QCOMPARE(left([](auto x, auto y, auto z) { return select(x, y, z, x.number(1)); }), Choice::second);
+        QCOMPARE(left([](auto x, auto y, auto) { return select(x, x.number(1), y); }), Choice::first);
+        QCOMPARE(left([](auto x, auto y, auto z) { return select(x, y, z); }), Choice::first);
+        QCOMPARE(left([](auto x, auto, auto) { return select(x, x.number(1), x.number(2)); }), Choice::first);
+    }
+
     void signsAreAtStakeInUnionsAndDifferences() {
         constexpr double threshold = 0.75;
         constexpr double none = 1e9;
@@ -136,6 +178,8 @@ class TapeSimplifierTest : public QObject {
         QCOMPARE(levelsOf(tapeOf([](auto x, auto y, auto) { return min(x, y) + 1; })), Levels{threshold - 1});
         QCOMPARE(levelsOf(tapeOf([](auto x, auto y, auto) { return 2 - min(x, y) / 4; })),
                  Levels{4 * (2 - threshold)});
+        QCOMPARE(levelsOf(tapeOf([](auto x, auto y, auto) { return 2 - min(sin(x), y); })),
+                 Levels{2 - threshold});
         QCOMPARE(levelsOf(tapeOf([](auto x, auto y, auto z) { return max(z, -8 * min(x, y) - 1); })),
                  (Levels{-(threshold + 1) / 8, threshold}));
         // By what is no number the sign can change.

@@ -6,6 +6,7 @@
 
 #include "core/evaluate/tape/tape_axes.h"
 #include "core/evaluate/tape/tape_cost.h"
+#include "core/evaluate/tape/tape_workspace.h"
 #include "core/function/graph_builder.h"
 
 using namespace isoscope;
@@ -159,6 +160,26 @@ class TapeTest : public QObject {
             written[instruction.target] = true;
         }
         QVERIFY(written[tape->results()[0]]);
+    }
+
+    void aUniformOperandIsSpreadOnce() {
+        FunctionGraph graph;
+        const Variables v(graph);
+        const auto tape = compile(graph, v.x * 3 + 5);
+        const UniformValues uniforms(*tape, {});
+        TapeWorkspace workspace(*tape, uniforms, 1);
+        const Slot slot = tape->firstUniform();
+        QVERIFY(!workspace.isSpread(0, slot, 16));
+        QVERIFY(workspace.isSpread(0, slot, 16) && workspace.isSpread(0, slot, 8));
+        // Not over more lanes, for another operand, or from another slot.
+        QVERIFY(!workspace.isSpread(0, slot, 32));
+        QVERIFY(workspace.isSpread(0, slot, 32));
+        QVERIFY(!workspace.isSpread(1, slot, 32));
+        QVERIFY(!workspace.isSpread(0, slot + 1, 8));
+        QVERIFY(!workspace.isSpread(0, slot, 8));
+        // The same memory is room for other things.
+        workspace.scratch();
+        QVERIFY(!workspace.isSpread(0, slot, 8));
     }
 
     void compilesTheLargestGraphQuickly() {

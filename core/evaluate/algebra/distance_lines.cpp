@@ -103,7 +103,7 @@ void writeEuclidean(const LinePiece& piece, const CrackleCandidates& found, doub
     }
     // Distances change by no more than the piece is long.
     const double furthest = (std::sqrt(nearest) + 2 * (piece.length + piece.spread)) * (1 + roundings);
-    const Vector limit = all(furthest * furthest * (1 + roundings));
+    const Vector limit = all(furthest * furthest);
     lines.count = found.count;
     for (std::size_t i = 0; i < found.count; i += step) {
         const Vector square = hn::Load(Doubles(), &squares[i]);
