@@ -265,7 +265,6 @@ class AffineEvaluatorTest : public QObject {
         }
     }
 
-    /// Odd numbers there once sent whole vectors of sines and powers to their slow way.
     /// Where the power is 0 as a double in the middle of a piece and is not at its end, it was taken for 0
     /// all over: atan(z)^700.5, found by 10^5 random lines of roots_proof_chain.
     void powersThatUnderflowInTheMiddleHoldTheirEnds() {
@@ -285,6 +284,7 @@ class AffineEvaluatorTest : public QObject {
         }
     }
 
+    /// Odd numbers there once sent whole vectors of sines and powers to their slow way.
     void whatIsBehindTheLastPieceIsLikeIt() {
         constexpr std::size_t count = 3;  // of vectors with an even number of lanes
         RayPieces pieces = piece({0.5, 1, 2}, {1, 2, 3}, 0.25, 0.5);

@@ -139,8 +139,6 @@ class PreparedFunctionTest : public QObject {
         QVERIFY(std::ranges::none_of(global->decided()->instructions, isMaximum));
     }
 
-    /// Threads that share a function find what each would find with its own, though the parts are made while
-    /// they ask.
     /// Steps from 0.1 to 0.9 about 0.5: which of those above it is met does not count, nor of those below.
     void casesOnOneSideOfTheThresholdAreOne() {
         const auto tape = test::tapeOf([](auto x, auto y, auto z) {
@@ -214,6 +212,8 @@ class PreparedFunctionTest : public QObject {
         QVERIFY(evaluator.canJump());
     }
 
+    /// Threads that share a function find what each would find with its own, though the parts are made while
+    /// they ask.
     void threadsShareIt() {
         for (const auto& tape : {clampedTape(), longLoop()})
             for (int round = 0; round < 20; ++round) {
