@@ -128,6 +128,9 @@ double eigenvalueAbove(const std::array<SlopeRange, 6>& m) {
     const double bound = std::min(trace, widest);
     // Rows of matrices with large entries beside the diagonal say too much.
     constexpr double slack = 1e-5;
+    const double least =
+        std::max({middle[bendIndex(0, 0)], middle[bendIndex(1, 1)], middle[bendIndex(2, 2)]});
+    if (bound <= least * (1 + slack)) return bound;
     const double near = eigenvalueNear(middle) * (1 + slack), closer = raised(near + spread);
     return closer < bound && isAboveEigenvalues(middle, near) ? closer : bound;
 }
