@@ -5456,18 +5456,6 @@ Aquí aparecen números de llamadas a funciones, #declare, threshold, accuracy, 
         <translation>Lugares donde la función no está sana</translation>
     </message>
     <message>
-        <source>infinite, or infinitely steep__</source>
-        <translation>infinita o infinitamente empinada__</translation>
-    </message>
-    <message>
-        <source>From the surface__</source>
-        <translation>De la superficie__</translation>
-    </message>
-    <message>
-        <source>Certainty__</source>
-        <translation>Certeza__</translation>
-    </message>
-    <message>
         <source>Go There</source>
         <translation>Ir allí</translation>
     </message>

@@ -5452,18 +5452,6 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
         <translation>関数に難がある場所</translation>
     </message>
     <message>
-        <source>infinite, or infinitely steep__</source>
-        <translation>無限、または傾きが無限__</translation>
-    </message>
-    <message>
-        <source>From the surface__</source>
-        <translation>曲面から__</translation>
-    </message>
-    <message>
-        <source>Certainty__</source>
-        <translation>確かさ__</translation>
-    </message>
-    <message>
         <source>Go There</source>
         <translation>移動</translation>
     </message>

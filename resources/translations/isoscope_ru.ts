@@ -5460,18 +5460,6 @@ Numbers of function calls, #declare, threshold, accuracy, max_gradient and conta
         <translation>Места, где с функцией неладно</translation>
     </message>
     <message>
-        <source>infinite, or infinitely steep__</source>
-        <translation>бесконечна или бесконечно крута__</translation>
-    </message>
-    <message>
-        <source>From the surface__</source>
-        <translation>От поверхности__</translation>
-    </message>
-    <message>
-        <source>Certainty__</source>
-        <translation>Надёжность__</translation>
-    </message>
-    <message>
         <source>Go There</source>
         <translation>Туда</translation>
     </message>

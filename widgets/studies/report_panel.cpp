@@ -112,9 +112,6 @@ QWidget* ReportPanel::buildHealth() {
     list_->setToolTip(tr("A click, or Enter, shows the place in the picture; a click on a remedy writes it"));
     QHeaderView* header = list_->header();
     header->setSectionsMovable(false);
-    header->resizeSection(kind, fontMetrics().horizontalAdvance(tr("infinite, or infinitely steep__")));
-    header->resizeSection(distance, fontMetrics().horizontalAdvance(tr("From the surface__")));
-    header->resizeSection(certainty, fontMetrics().horizontalAdvance(tr("Certainty__")));
     header->setStretchLastSection(true);
     goThere_ = new QPushButton(tr("Go There"));
     goThere_->setToolTip(tr("Shows the place in the picture."));
@@ -339,6 +336,7 @@ void ReportPanel::showHealth() {
                             tr("A click writes it: %1").arg(QString::fromStdString(describe(*rewrite))));
         }
     }
+    for (const int column : {kind, distance, certainty}) list_->resizeColumnToContents(column);
     // Without remedies the places take all the room.
     list_->setColumnHidden(remedy, !remedies);
     list_->header()->resizeSection(

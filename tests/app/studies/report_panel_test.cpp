@@ -71,6 +71,10 @@ class ReportPanelTest : public QObject {
         QTreeWidgetItem* pole = nullptr;
         for (int i = 0; i < panel->list()->topLevelItemCount(); ++i) {
             QTreeWidgetItem* row = panel->list()->topLevelItem(i);
+            // “suspected” was cut off, beside a column with room to spare.
+            for (int column = 0; column < 3; ++column)
+                QVERIFY(panel->list()->columnWidth(column) >
+                        panel->list()->fontMetrics().horizontalAdvance(row->text(column)));
             if (row->text(0).startsWith(QStringLiteral("infinite")) && row->text(2) == QStringLiteral("met"))
                 pole = row;
         }
