@@ -76,12 +76,12 @@ LightSource LightParser::parse() {
     return light;
 }
 
-bool LightParser::parseStart(LightSource& light) {
+void LightParser::parseStart(LightSource& light) {
     if (const std::optional<LightSource> declared = takeDeclared<LightSource>(tokens_)) {
         const int line = light.line;
         light = *declared;
         light.line = line;
-        return true;
+        return;
     }
     const std::optional<ObjectPointer> object = takeDeclared<ObjectPointer>(tokens_);
     if (object && *object && (*object)->lights.size() == 1 && (*object)->parts.size() == 1) {
@@ -90,13 +90,12 @@ bool LightParser::parseStart(LightSource& light) {
         light.line = line;
         looks_ = (*object)->parts.front();
         moveLooks((*object)->transform);
-        return true;
+        return;
     }
     ExpressionParser expressions(tokens_);
     light.location = expressions.parseVector();
     tokens_.accept(",");
     light.color = expressions.parseColor();
-    return true;
 }
 
 bool LightParser::parseItem(LightSource& light) {

@@ -24,7 +24,7 @@ class LightParser {
     const ObjectPointer& looks() const { return looks_; }
 
   private:
-    bool parseStart(LightSource& light);
+    void parseStart(LightSource& light);
     bool parseItem(LightSource& light);
     bool parseNumberItem(LightSource& light);
     bool parseArea(LightSource& light);

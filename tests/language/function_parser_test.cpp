@@ -285,6 +285,24 @@ class FunctionParserTest : public QObject {
         qInfo("%.1f s", parsed.seconds);
     }
 
+    /// The functions of a text have a limit together; what is beyond it is told, and not what POV-Ray would
+    /// say of its form.
+    void manyLargeFunctionsEndInAMessageEach() {
+        std::string body = "x";
+        for (int k = 0; k < 5'000; ++k) body += "+" + std::to_string(k) + ".5*y";
+        const ParseResult parsed = scene("#declare F = function { " + body +
+                                         " }\n#for (I, 1, 140) #declare G = function { F(x, y, z) } #end\n" +
+                                         isosurfaceOf("pattern { bozo }"));
+        qInfo("%.1f s", parsed.seconds);
+        std::vector<std::string> told;
+        for (const Diagnostic& diagnostic : parsed.diagnostics)
+            if (diagnostic.severity != Severity::note) told.push_back(diagnostic.message);
+        const std::string message = "The functions of this text hold more than 2000000 operations.";
+        QCOMPARE(told,
+                 (std::vector<std::string>{message, message,
+                                           "The isosurface is not drawn: its function was not understood."}));
+    }
+
     void manyCallsOfALargeFunctionEndInAMessage() {
         std::string body = "x", text;
         for (int k = 0; k < 20'000; ++k) body += "+sin(x*" + std::to_string(k) + ".5)";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/directives/include_library.h"
 
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -156,6 +157,29 @@ class IncludeLibraryTest : public QObject {
     void refusesWhatIsNoFile() {
         for (const char* text : {"#include \"\"", "#include \"/\"", "#include \"..\"", "#include chr(0)"})
             QVERIFY2(hasErrors(run(text).context->diagnostics), text);
+    }
+
+    void theMostRecentVersionComesFirst() {
+        QTemporaryDir first, second;
+        const QStringList versions{"povray-3.7", "povray-3.5", "povray-3.8", "povray", "povray-3.6", "other"};
+        for (const QTemporaryDir* share : {&first, &second})
+            for (const QString& version : versions) QVERIFY(QDir(share->path()).mkpath(version + "/include"));
+        QVERIFY(QDir(first.path()).mkdir("povray-3.9"));
+        const QByteArray named = qgetenv("POVRAY_LIBRARY_PATH");
+        qputenv("POVRAY_LIBRARY_PATH", first.path().toUtf8() + ":/nowhere:" + second.path().toUtf8());
+        const std::vector<std::filesystem::path> found =
+            installedLibraryPaths({first.path().toStdString(), second.path().toStdString()});
+        if (named.isNull())
+            qunsetenv("POVRAY_LIBRARY_PATH");
+        else
+            qputenv("POVRAY_LIBRARY_PATH", named);
+        QStringList expected{first.path(), second.path()};
+        for (const QTemporaryDir* share : {&first, &second})
+            for (const char* version : {"povray-3.8", "povray-3.7", "povray-3.6", "povray-3.5", "povray"})
+                expected << share->filePath(version + QStringLiteral("/include"));
+        QStringList paths;
+        for (const std::filesystem::path& path : found) paths << QString::fromStdString(path.string());
+        QCOMPARE(paths, expected);
     }
 
     /// Where POV-Ray is installed, the directives of its include files run without a mistake.

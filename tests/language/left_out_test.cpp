@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a scene asks for and the picture does not show is named, with its place; nothing else is.
 #include <algorithm>
+#include <QFile>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/language/parse.h"
@@ -58,6 +60,24 @@ lemon { "A}{" 1, 0 }
                                  [&](const std::string& s) { return s.starts_with(part); }),
                      part);
         QCOMPARE(parsed.scene->isosurfaces.size(), std::size_t(1));
+    }
+
+    void settingsOfAnImageAreNotTakenForItsPattern() {
+        const QTemporaryDir folder;
+        QFile image(folder.filePath("a.pgm"));
+        QVERIFY(image.open(QIODevice::WriteOnly));
+        image.write("P5 1 1 255\nA");
+        image.close();
+        ParseOptions options;
+        options.file = folder.filePath("scene.pov").toStdString();
+        for (const std::string setting : {"premultiplied", "map_type 3"}) {
+            const ParseResult parsed = parseScene(
+                "sphere { 0, 1 pigment { image_map { pgm \"a.pgm\" " + setting + " } } }", options);
+            QVERIFY2(parsed.ok(), problems(parsed).c_str());
+            const std::string word = setting.substr(0, setting.find(' '));
+            QVERIFY2(complaints(parsed).size() == 1, problems(parsed).c_str());
+            QVERIFY(complaints(parsed)[0].starts_with("`" + word + "` is not simulated. ["));
+        }
     }
 
     /// It was an error, and the rest of the pigment with it.

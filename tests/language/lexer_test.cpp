@@ -155,6 +155,12 @@ class LexerTest : public QObject {
         QCOMPARE(lexer.next().text, std::string_view("two"));
     }
 
+    void aPieceEndsWithinAWord() {
+        const std::string text = "1 twofold 345";
+        QCOMPARE(Lexer(text, 0, 2, 5).next().text, std::string_view("two"));
+        QCOMPARE(Lexer(text, 0, 10, 12).next().number, 34.0);
+    }
+
     void decodesStrings_data() {
         QTest::addColumn<QString>("quoted");
         QTest::addColumn<QString>("text");

@@ -381,6 +381,21 @@ class LimitsTest : public QObject {
         QVERIFY(tooLarge(nested(MappedPigment::depthLimit + 1)));
     }
 
+    /// One that says nothing is flat, and counts.
+    void normalsHaveALimitOfParts() {
+        const auto parsed = [](int entries) {
+            return parseScene("sphere { 0, 1 pigment { rgb 1 } normal { average normal_map {" +
+                              repeated(" []", static_cast<std::size_t>(entries)) + " } } }");
+        };
+        const ParseResult most = parsed(MappedPigment::sizeLimit - 1);
+        QVERIFY(most.ok());
+        const Material& material =
+            most.scene->materials.at(static_cast<std::size_t>(most.scene->objects.at(0).material));
+        QCOMPARE(static_cast<int>(material.normal->size), static_cast<int>(MappedPigment::sizeLimit));
+        const ParseResult more = parsed(MappedPigment::sizeLimit);
+        QVERIFY(std::ranges::count(more.diagnostics, "too-large", &Diagnostic::id) == 1);
+    }
+
     void survivesRandomBytes() {
         const std::uint64_t seed = 20250608;
         qInfo("seed %llu", static_cast<unsigned long long>(seed));

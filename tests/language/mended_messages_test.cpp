@@ -217,6 +217,11 @@ class MendedMessagesTest : public QObject {
         const auto named = readBareFormula("x^2 + y^2 = R^2", 0, known);
         QVERIFY(named && named->names == std::vector<std::string>{"R"});
         QVERIFY(readBareFormula("foo\nx + y // sum", 4, known)->end == 9);
+        std::string longest = "x";
+        for (int k = 0; k < 4998; ++k) longest += " + y";
+        const auto whole = readBareFormula(longest + " + 1234", 0, known);
+        QVERIFY(whole && whole->function.size() == 20'000);
+        QVERIFY(!readBareFormula(longest + " + 12345", 0, known));
         // Deep and long ones end.
         QVERIFY(!readBareFormula(std::string(100'000, '('), 0, known));
         QVERIFY(!readBareFormula(std::string(100'000, '-') + "x", 0, known));

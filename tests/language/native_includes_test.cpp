@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/directives/native_includes.h"
 
+#include <cctype>
 #include <cmath>
 #include <QTest>
 
@@ -41,6 +42,18 @@ class NativeIncludesTest : public QObject {
             const ParseResult again = parseScene(twice + twice);
             QVERIFY2(again.diagnostics.empty(), problems(again).c_str());
         }
+    }
+
+    /// As the suggestions for misspelt names read them.
+    void everyDeclarationIsFollowedByItsName() {
+        for (const NativeInclude& include : nativeIncludes())
+            for (const std::string_view directive : {"#declare ", "#macro "})
+                for (std::size_t at = include.text.find(directive); at != std::string_view::npos;
+                     at = include.text.find(directive, at + 1)) {
+                    const char first = include.text.substr(at + directive.size()).front();
+                    QVERIFY2(std::isalpha(static_cast<unsigned char>(first)) || first == '_',
+                             std::string(include.text.substr(at, 40)).c_str());
+                }
     }
 
     void numbers_data() {

@@ -2,6 +2,9 @@
 #include "core/language/parse_context.h"
 
 #include <QTest>
+#include <chrono>
+#include <limits>
+#include <thread>
 
 using namespace isoscope;
 
@@ -17,6 +20,22 @@ class ParseContextTest : public QObject {
         const Value* value = context.symbols.find("Size");
         QVERIFY(value != nullptr);
         QCOMPARE(std::get<NumberValue>(value->data).value, 0.5);
+        QCOMPARE(std::get<NumberValue>(value->data).parameter, -1);
+    }
+
+    /// Their characters are kept whole, and these bytes begin none.
+    void messagesOfNoCharactersAreShortened() {
+        ParseContext context{ParseOptions{}};
+        context.error("a", {0, 0, 1}, std::string(3000, '\x80'));
+        QCOMPARE(context.diagnostics.at(0).message, std::string(" ... "));
+    }
+
+    void theTimeOfATextEndsByItself() {
+        const ReadingLimits limits({}, 0, std::numeric_limits<std::size_t>::max());
+        for (int k = 0; k < 5000 && !limits.token().stop_requested(); ++k)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        QVERIFY(limits.token().stop_requested());
+        QVERIFY(limits.reason() == ReadingLimits::Reason::time);
     }
 
     void dropsRepeatedMessages() {
@@ -108,6 +127,7 @@ class ParseContextTest : public QObject {
         QCOMPARE(context.addParameter(parameter), 1);
         context.markStructural(0);
         context.markStructural(-1);
+        context.markStructural(2);
         context.markStructural(99);
         QCOMPARE(context.parameters[0].slot, -1);
         QCOMPARE(context.parameters[1].slot, 1);

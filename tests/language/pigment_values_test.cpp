@@ -38,6 +38,16 @@ class PigmentValuesTest : public QObject {
         QVERIFY(near(valueOf(inX, 0, 0.5, -0.5), 0));
     }
 
+    /// The formula of one that was moved is asked where the point was before.
+    void objectsWithAFormulaMayBeMoved() {
+        const QString moved = "object { sphere { 0, 1 scale <2, 1, 1> translate <6, 0, 3> } rgb 0 rgb 1 }";
+        QVERIFY(near(valueOf(moved, 7.5, 0.5, 3), 1));
+        QVERIFY(near(valueOf(moved, 4.5, 0.5, 3), 1));
+        QVERIFY(near(valueOf(moved, 8.5, 0.5, 3), 0));
+        QVERIFY(near(valueOf(moved, 6, 0.5, 1.5), 0));
+        QVERIFY(near(valueOf(moved, 0, 0.5, 0), 0));
+    }
+
     void colors_data() {
         QTest::addColumn<QString>("pigment");
         QTest::addColumn<double>("x");

@@ -235,6 +235,55 @@ class SceneValuesTest : public QObject {
         check("", "", [](const ParseResult& parsed) { return description(parsed.scene->objects.at(0)); });
     }
 
+    void materialsAreLitFromBothSidesAsTheirObjects() {
+        const ParseResult parsed = parseScene(
+            "sphere { 3, 1 } union { sphere { 0, 1 } box { 1, 2 pigment { rgb 1 } } double_illuminate }"
+            "box { 3, 4 }");
+        QCOMPARE(parsed.scene->objects.size(), std::size_t(4));
+        for (const SceneObject& object : parsed.scene->objects)
+            QCOMPARE(parsed.scene->materials.at(static_cast<std::size_t>(object.material)).doubleIlluminate,
+                     object.doubleIlluminate);
+        QVERIFY(parsed.scene->objects[1].doubleIlluminate && !parsed.scene->objects[3].doubleIlluminate);
+    }
+
+    /// Of a part without a texture a union says that it is there, and an intersection does not.
+    void cutawayTexturesShowTheirParts_data() {
+        QTest::addColumn<QString>("operation");
+        QTest::addColumn<std::size_t>("shares");
+        QTest::newRow("union") << "union" << std::size_t(2);
+        QTest::newRow("merge") << "merge" << std::size_t(2);
+        QTest::newRow("intersection") << "intersection" << std::size_t(1);
+    }
+    void cutawayTexturesShowTheirParts() {
+        QFETCH(QString, operation);
+        QFETCH(std::size_t, shares);
+        const ParseResult parsed = parseScene(
+            "difference { " + operation.toStdString() +
+            " { box { -1, 1 pigment { rgb 1 } } sphere { 0, 1 } } sphere { 9, 1 } cutaway_textures }");
+        const MaterialId own = parsed.scene->objects.at(0).material;
+        const auto surface = parsed.scene->materials.at(static_cast<std::size_t>(own)).surface;
+        QVERIFY(surface);
+        QCOMPARE(surface->shape->textureShares({0.5, 0, 0}).size(), shares);
+    }
+
+    /// Each shape has a material of its own then.
+    void materialsKnowTheSurfaceTheyAreOn_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<int>("count");
+        const auto row = [](const char* text, int count) { QTest::newRow(text) << QString(text) << count; };
+        row("sphere { 0, 1 pigment { checker } }", 0);
+        row("sphere { 0, 1 texture { uv_mapping pigment { checker } } }", 1);
+        row("difference { sphere { 0, 1 } box { 0, 1 } texture { uv_mapping pigment { checker } } }", 2);
+    }
+    void materialsKnowTheSurfaceTheyAreOn() {
+        QFETCH(QString, text);
+        QFETCH(int, count);
+        const ParseResult parsed = parseScene(text.toStdString());
+        QCOMPARE(std::ranges::count_if(parsed.scene->materials,
+                                       [](const Material& material) { return bool(material.surface); }),
+                 count);
+    }
+
     void cameras_data() {
         columns();
         row("camera { location <1, 2, 3> direction 2*z right 2*x up 3*y }",

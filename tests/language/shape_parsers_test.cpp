@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/language/directives/library_paths.h"
+#include "core/language/objects/object_description.h"
 #include "core/language/parse.h"
 #include "core/shapes/isosurface/julia_fractal.h"
 #include "core/shapes/solids/poly.h"
@@ -256,6 +257,16 @@ class ShapeParsersTest : public QObject {
         QCOMPARE(hits.size(), std::size_t(2));
     }
 
+    /// A part ends where its first point comes again, be it at once.
+    void partsOfPrismsMayBeOnePoint() {
+        const ParseResult parsed =
+            parseScene("prism { linear_spline 0, 1, 6, <9, 9>, <9, 9>, <0, 0>, <1, 0>, <0, 1>, <0, 0> }");
+        QCOMPARE(complaints(parsed), QStringList());
+        TraceContext context;
+        QVERIFY(parsed.scene->objects.at(0).shape->contains({0.25, 0.5, 0.25}, context));
+        QVERIFY(!parsed.scene->objects.at(0).shape->contains({0.75, 0.5, 0.75}, context));
+    }
+
     /// Too small a number was also said to be that of the points, of which there were too few then.
     void aWrongCountIsSaidOnce() {
         for (const char* text : {"sor { 3, <0, 0>, <1, 1>, <2, 2> }", "lathe { 1, <0, 0> }",
@@ -284,6 +295,25 @@ class ShapeParsersTest : public QObject {
         QVERIFY(said("merge"));
     }
 
+    /// Each of 100 levels is made once more: of up to 10 000 shapes.
+    void cutawayTexturesOfManyShapesAreLeftOut() {
+        for (const int spheres : {1, 2}) {
+            const ParseResult parsed = parseScene(
+                "#declare Row = union { #for (I, 1, 99) sphere { I*x, 1 } #end }\n"
+                "#declare U = union { #for (I, 1, 99) object { Row } #end #for (I, 1, " +
+                std::to_string(spheres) +
+                ") sphere { I*y, 1 } #end }\n"
+                "#for (I, 1, 96) #declare U = union { object { U } } #end\n"
+                "#declare D = difference { object { U } sphere { 0, 1 } cutaway_textures }\n"
+                "sphere { 0, 1 }");  // else what is declared is drawn
+            const ObjectPointer object = std::get<ObjectPointer>(parsed.symbols->find("D")->data);
+            QCOMPARE(object->depth, 100);
+            QCOMPARE(object->shapeCount, std::size_t(9'999 + spheres));
+            QCOMPARE(object->cutawayTextures, spheres == 1);
+            QCOMPARE(complaints(parsed).size(), spheres - 1);
+        }
+    }
+
     void leavesTheRestOfTheSceneInPlace() {
         const ParseResult parsed = parseScene(
             "cylinder { 0, 0, 1 }\nblob { }\nsphere { 0, 1 }\nunion { torus { 1, 0.2 } cubic { <1> } }\n");
@@ -299,6 +329,14 @@ class ShapeParsersTest : public QObject {
         QCOMPARE(names, (QStringList{"torus major radius 1.5", "torus minor radius 0.25", "cone base x 0",
                                      "cone base y -1", "cone base z 2", "cone base radius 0.5",
                                      "cone cap radius 0"}));
+    }
+
+    void pointsAreCountedFromOne() {
+        const ParseResult parsed = parseScene("lathe { 2, <3, 0>, <4, 1> }");
+        QStringList names;
+        for (const SceneParameter& parameter : parsed.scene->parameters)
+            names << QString::fromStdString(parameter.name);
+        QCOMPARE(names, (QStringList{"point 1 x", "point 1 y", "point 2 x", "point 2 y"}));
     }
 
     void openEndsAndOptionsAreRead() {

@@ -265,6 +265,20 @@ class TokenStreamTest : public QObject {
         QVERIFY((context.diagnostics[0].reachedFrom[0] == SourceRange{0, 18, 21}));
     }
 
+    /// A string is taken by itself, any other name as an expression.
+    void theNameOfAnIncludeCountsAsRead() {
+        for (const char* name : {"\"f\"", "concat(\"f\", \"\")"}) {
+            const std::string text =
+                std::string("#fopen F \"f\" write #write (F, \"b\") #fclose F a #include ") + name;
+            ParseContext context{ParseOptions{}};
+            TokenStream tokens(context, context.sources.add("scene.pov", text));
+            QCOMPARE(tokens.next().text, std::string_view("a"));
+            QCOMPARE(tokens.peek().text, std::string_view("b"));
+            QCOMPARE(tokens.lastRange().file, 0u);
+            QCOMPARE(std::size_t(tokens.lastRange().end), text.size());
+        }
+    }
+
     void namesAreReadWithoutCallingMacros() {
         ParseContext context{ParseOptions{}};
         TokenStream tokens(context, context.sources.add("scene.pov", "#macro M() a #end ( M )"));

@@ -52,6 +52,8 @@ class ToldMistakesTest : public QObject {
 
         // What an array would have behind its name is passed over.
         row("#declare B[0] = 5; sphere { 0, 1 }", "`B` is not declared, but `[` asks for an array.");
+        row("#declare B[0] =\n5; sphere { 0, 1 }", "`B` is not declared, but `[` asks for an array.");
+        row("sphere { 0, dimension_size(B, 1) }", "asks for an array, but this is not declared.");
         row("#declare N = dimension_size(B, 1) + 2; sphere { 0, N }",
             "asks for an array, but this is not declared.");
         row("#declare A = array[2]; #declare B = A[0];", "This element of `A` has not been given a value.");

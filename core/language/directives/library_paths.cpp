@@ -10,7 +10,7 @@ namespace isoscope {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> installedLibraryPaths() {
+std::vector<fs::path> installedLibraryPaths(const std::vector<fs::path>& shares) {
     std::vector<fs::path> paths;
     std::error_code ignored;
     if (const char* variable = std::getenv("POVRAY_LIBRARY_PATH")) {
@@ -18,9 +18,9 @@ std::vector<fs::path> installedLibraryPaths() {
         for (std::string folder; std::getline(list, folder, ':');)
             if (fs::is_directory(folder, ignored)) paths.emplace_back(folder);
     }
-    for (const char* prefix : {"/usr/local/share", "/usr/share", "/opt/share"}) {
+    for (const fs::path& share : shares) {
         std::vector<fs::path> found;
-        for (fs::directory_iterator it(prefix, ignored), end; it != end; it.increment(ignored)) {
+        for (fs::directory_iterator it(share, ignored), end; it != end; it.increment(ignored)) {
             const fs::path include = it->path() / "include";
             const bool isPovRay = it->path().filename().string().rfind("povray", 0) == 0;
             if (isPovRay && fs::is_directory(include, ignored)) found.push_back(include);

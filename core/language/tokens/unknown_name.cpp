@@ -32,7 +32,7 @@ const std::map<std::string, std::string, std::less<>>& includedNames() {
                     const std::size_t begin = at + directive.size();
                     std::size_t end = begin;
                     while (end < include.text.size() && isNameCharacter(include.text[end])) ++end;
-                    if (end > begin) all.emplace(include.text.substr(begin, end - begin), include.name);
+                    all.emplace(include.text.substr(begin, end - begin), include.name);
                 }
         return all;
     }();
