@@ -445,8 +445,8 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
             target = rootInstead(rootAt_[i]);
         } else if (i != fold_) {
             // The operands may be where the result will be.
-            IntervalGradient whole = execute(instructions[i], i, loopAllowance);
-            target = takesJumps_ ? besideJump(instructions[i], i, whole) : std::move(whole);
+            const IntervalGradient whole = execute(instructions[i], i, loopAllowance);
+            target = takesJumps_ ? besideJump(instructions[i], i, whole) : whole;
             target.root.known = target.root.known && wantedRoots_[i];
         } else if (folds_) {
             const auto axis = static_cast<std::size_t>(lastFold_.axis);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gradients of crackle over boxes: no two points of a box differ by more than they say, jumps included.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <QTest>
@@ -194,6 +195,40 @@ class IntervalGradientCrackleTest : public QObject {
             bounded += answer.bounded();
         }
         QVERIFY2(cusps > 200 && bounded > 200, qPrintable(QString("%1 %2").arg(cusps).arg(bounded)));
+    }
+
+    /// In metric 1 a distance climbs by 1 along each axis, up or down.
+    void aDistanceOfMetric1ClimbsByTheRootOf3() {
+        CrackleSettings settings;
+        settings.metric = 1;
+        settings.form = {1, 0, 0};
+        Random random;
+        int known = 0;
+        for (int round = 0; round < 300; ++round) {
+            const IntervalGradient answer = gradientOf(settings, random.box(-7, -5));
+            QVERIFY(answer.bounded() && answer.steepness < std::sqrt(3.0) * (1 + 1e-11));
+            bool isKnown = true;
+            for (const SlopeRange& slope : answer.slope) {
+                QVERIFY(slope.size() < 1 + 1e-11);
+                isKnown = isKnown && slope.gap() > 0.5;
+            }
+            if (!isKnown) continue;
+            ++known;
+            QVERIFY(answer.steepness >= std::sqrt(3.0));
+        }
+        QVERIFY2(known > 150, qPrintable(QString::number(known)));
+    }
+
+    /// Which cell point is the nearest one, and which the second, is certain nearly everywhere.
+    void slopesAreThoseOfThePointsOfEachRank() {
+        Random random;
+        int narrow = 0;
+        for (int round = 0; round < 300; ++round) {
+            const IntervalGradient answer = gradientOf({}, random.box(-8, -7));
+            const auto isNarrow = [](const SlopeRange& slope) { return slope.high - slope.low < 1e-3; };
+            narrow += std::ranges::all_of(answer.slope, isNarrow);
+        }
+        QVERIFY2(narrow > 280, qPrintable(QString::number(narrow)));
     }
 };
 

@@ -145,6 +145,12 @@ class IntervalGradientEvaluatorTest : public QObject {
         for (const Interval& twoCorners :
              {Interval{-0.1, 0.6, false}, {-0.1, 0.5, false}, {-0.5, 0.1, false}})
             QVERIFY(!over(wave, {twoCorners, unit, unit}).smooth);
+        // A box that ends within 1e-6 of the next corner is not told from one that holds it.
+        for (const double end : {0.5 - 5e-7, 0.5 - 2e-6}) {
+            const bool isOne = 0.5 - end > 1e-6;
+            QCOMPARE(over(wave, {Interval{-0.1, end, false}, unit, unit}).smooth, isOne);
+            QCOMPARE(over(wave, {Interval{-end, 0.1, false}, unit, unit}).smooth, isOne);
+        }
         const Box behindAxis{Interval{-2, -1.9, false}, Interval{-0.1, 0.1, false}, unit};
         IntervalGradientEvaluator around(Tape::compile(functionOf([](auto x, auto y, auto) {
                                              return apply(Operation::triangleWave,
@@ -395,6 +401,78 @@ class IntervalGradientEvaluatorTest : public QObject {
             {Interval{-1.5, 1.5, false}, Interval::point(0.3), unit});
         QVERIFY2(flat.slope[1].low <= 0 && flat.slope[1].high >= 1,
                  qPrintable(QString::asprintf("[%g, %g]", flat.slope[1].low, flat.slope[1].high)));
+    }
+
+    /// 0 counts as above 0 where there is no case of its own.
+    void aSelectFrom0OnHasTheSlopesOfOneCase() {
+        const IntervalGradient other = over([](auto x, auto y, auto z) { return select(x, y, z); },
+                                            {Interval{0, 0.5, false}, unit, unit});
+        QVERIFY(other.bounded() && other.slope[1].isZero() && other.slope[2].low == 1);
+    }
+
+    /// Beside the jump of its base a power climbs as each case does.
+    void aPowerOfASelectHasTheSlopesOfItsCases() {
+        const IntervalGradient power = over(
+            [](auto x, auto y, auto z) { return pow(select(z, x, y), x.number(2.5)); }, {unit, unit, unit});
+        QCOMPARE(power.hazard, GradientHazard::jump);
+        for (const std::size_t axis : {0, 1}) QVERIFY(power.slope[axis].high >= 2.5);
+    }
+
+    /// Its slopes are those of the places where it has a value; it is not smooth, since it ends there.
+    void aPowerWithoutAValueBelow0IsKnownAbove() {
+        const IntervalGradient power = over([](auto x, auto, auto) { return pow(x, x.number(2.5)); },
+                                            {Interval{-1, 4, false}, unit, unit});
+        QVERIFY(power.bounded() && power.value.maybeUndefined && !power.smooth);
+        QVERIFY(power.slope[0].high >= 20 && power.slope[0].high < 20 * (1 + 1e-12));
+        QVERIFY(power.steepness >= 20 && power.steepness < 20 * (1 + 1e-12));
+    }
+
+    /// Along the divisor, too, of which the box has one value: the angle has another sign beyond its cut.
+    void aQuotientOfAnAngleHasTheSlopesOfBothSidesOfTheCut() {
+        const IntervalGradient quotient =
+            over([](auto x, auto y, auto z) { return atan2(y, x) / z; },
+                 {Interval{-2, -1, false}, Interval{-0.5, 0.5, false}, Interval::point(2)});
+        QCOMPARE(quotient.hazard, GradientHazard::jump);
+        const double slope = std::numbers::pi / 4;
+        QVERIFY(quotient.slope[2].low <= -slope && quotient.slope[2].high >= slope);
+    }
+
+    void aCycleHasTheValuesOfBothSidesOfACut() {
+        // An eighth of a cycle on one side, minus that on the other.
+        const Interval cycle =
+            over([](auto x, auto y,
+                    auto) { return apply(Operation::cycle, atan2(y, x) / (8 * std::numbers::pi)); },
+                 {Interval{-2, -1, false}, Interval{-0.5, 0.5, false}, unit})
+                .value;
+        const double end = std::sin(std::numbers::pi / 4);
+        QVERIFY(cycle.low <= -end && cycle.high >= end);
+    }
+
+    /// The longest gradient of a function of one coordinate is its slope, also of noise.
+    void noiseAlongOneAxisIsNoSteeperThanItsSlope() {
+        for (const double at : {0.125, 0.5, 0.75}) {
+            const IntervalGradient line =
+                over([](auto x, auto, auto) { return noise(x.number(3), x, x.number(0.3), x.number(0.6)); },
+                     {Interval{at, at + 0.001, false}, unit, unit});
+            QVERIFY(line.bounded() && line.slope[0].size() > 0);
+            QVERIFY(line.steepness <= line.slope[0].size());
+        }
+    }
+
+    void theFoldIsThatOfTheLastBox() {
+        const Function tube = functionOf([](auto x, auto y, auto z) { return sqrt(sq(x) + sq(y)) + sin(z); });
+        IntervalGradientEvaluator evaluator(Tape::compile(tube), {});
+        const Box box{Interval{3, 3.5, false}, Interval{4, 4.5, false}, unit};
+        evaluator.evaluate(box);
+        QVERIFY(evaluator.fold());
+        const IntervalGradientEvaluator::Fold whole = *evaluator.fold();
+        QVERIFY(whole.value.holds(5) && whole.axis == 0);
+        IntervalGradientEvaluator::Fold part = whole;
+        part.value = {5, 5.125, false};
+        const IntervalGradient folded = evaluator.evaluateFolded(box, part);
+        QVERIFY(folded.bounded() && folded.value.high < 6.126);
+        QCOMPARE(evaluator.fold()->value, whole.value);
+        QCOMPARE(evaluator.fold()->steepness, whole.steepness);
     }
 };
 

@@ -133,6 +133,27 @@ class NormGradientTest : public QObject {
         QVERIFY(circle.bend[bendIndex(0, 0)].size() < 0.01);
     }
 
+    /// Beside a constant the sum tells more of bends than its norm, whose parts forget that they are shares.
+    void bendsOfARootAreNoWiderThanThoseOfItsSum() {
+        const IntervalGradient root =
+            over([](auto x, auto y,
+                    auto) { return sqrt(pow(abs(x), x.number(6)) + pow(abs(y), x.number(6)) + 4); },
+                 {Interval{0.25, 1.25, false}, Interval{-0.0625, 0.0625, false}, unit});
+        // d2/dxdy sqrt(s) is -s_x s_y / (4 s^(3/2)), and s is at least 4.
+        const double most = 6 * std::pow(1.25, 5) * 6 * std::pow(0.0625, 5) / (4 * 8);
+        QVERIFY(root.smooth && !root.pieced);
+        QVERIFY(root.bend[bendIndex(0, 1)].size() < most * (1 + 1e-9));
+    }
+
+    /// sqrt((1 + sin u) / 3) is sqrt(2/3) |sin(u/2 + pi/4)|: of its root nothing is known but the steepness.
+    void rootsOfDividedWavesHaveTheirSteepness() {
+        const IntervalGradient wave =
+            over([](auto x, auto y, auto) { return sqrt((1 + sin(x + y)) / 3); }, {unit, unit, unit});
+        const double exact = std::sqrt(1.0 / 3);
+        QVERIFY2(wave.steepness >= exact * (1 - 1e-15) && wave.steepness < exact * (1 + 1e-9),
+                 qPrintable(QString::number(wave.steepness)));
+    }
+
     /// Wherever the two parts of a section are perpendicular, its slope is that of the steeper one.
     void sectionsOfPerpendicularPartsAreNoSteeperThanThese() {
         const Box box{Interval{0.45, 0.55, false}, Interval{0.45, 0.55, false}, unit};
