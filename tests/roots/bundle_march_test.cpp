@@ -9,6 +9,7 @@
 #include "core/evaluate/point_evaluator.h"
 #include "core/function/graph_builder.h"
 #include "core/roots/certified/certified_root_finder.h"
+#include "tests/roots/line_table.h"
 #include "tests/roots/sample_lines.h"
 #include "tests/support/test_setting.h"
 
@@ -109,6 +110,51 @@ class BundleMarchTest : public QObject {
         for (const RootList& found : roots) QVERIFY(!found.empty());
     }
 
+    /// Beside a tile that is one, it has to be searched, too.
+    void aTileThatIsNoBundleIsSearchedBesideOthers() {
+        const auto tape = tapeOf([](auto x, auto y, auto z) {
+            Expression result = x.number(10);
+            for (int k = -10; k <= 10; ++k) result = min(result, sq(x - k) + sq(y) + sq(z) - 0.09);
+            return result;
+        });
+        RootSettings settings;
+        settings.open = true;
+        CertifiedRootFinder finder(tape, {}, settings);
+        std::vector<LineQuery> lines;
+        for (int k = 0; k < 128; ++k)
+            lines.push_back({{1e-3 * k, 0, -4}, {0, 0, k >= 64 && k % 2 ? -1 : 1}, 1, 6});
+        std::vector<RootList> roots(lines.size());
+        finder.find(lines, {}, roots);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            QCOMPARE(roots[i].size(), std::size_t(lines[i].direction.z > 0));
+        QCOMPARE(finder.report().searches, std::uint64_t(lines.size()));
+    }
+
+    /// Where the sign is certain over half of a bundle's way, two enclosures pass it.
+    void bundlesBeginWithHalfTheirWay() {
+        const auto plane = tapeOf([](auto, auto, auto z) { return z + 10; });
+        AffineEvaluator forms(plane, {});
+        const test::LineTable table(parallelLines());
+        CertainStarts starts(parallelLines().size());
+        BundleMarch(TapeCost(*plane)).run(table.columns(), {}, forms, starts);
+        QCOMPARE(forms.evaluations(), std::uint64_t(2 * 256 / (4 * BundleMarch::bundleLines)));
+        for (std::size_t i = 0; i < 256; ++i) QCOMPARE(starts[i].start, 6.0);
+    }
+
+    /// Behind the start a piece is worth trying that holds most of the crossings, and no more.
+    void whereALineIsLeftItsCrossingIsNear() {
+        const auto plane = tapeOf([](auto, auto, auto z) { return 1 - z; });
+        AffineEvaluator forms(plane, {});
+        const test::LineTable table(parallelLines());
+        CertainStarts starts(parallelLines().size());
+        BundleMarch(TapeCost(*plane)).run(table.columns(), {}, forms, starts);
+        for (std::size_t i = 0; i < 256; ++i) {
+            QCOMPARE(starts[i].sign, 1.0);
+            QVERIFY(starts[i].start < 5 && starts[i].start > 4.9);
+            QVERIFY(starts[i].length > 0 && starts[i].start + starts[i].length < 5.1);
+        }
+    }
+
     void emptySpaceCostsLittle() {
         const auto tape = tapeOf([](auto x, auto y, auto z) { return sq(x) + sq(y) + sq(z) - 0.01; });
         RootSettings settings;
@@ -120,6 +166,15 @@ class BundleMarchTest : public QObject {
         finder.find(lines, {}, roots);
         QVERIFY(finder.report().evaluations <= lines.size() / BundleMarch::bundleLines * 3);
         for (const Verdict verdict : finder.verdicts()) QCOMPARE(verdict, Verdict::certifiedMiss);
+    }
+
+  private:
+    /// 16 x 16 lines along z, a thousandth apart.
+    static std::vector<LineQuery> parallelLines() {
+        std::vector<LineQuery> lines;
+        for (int k = 0; k < 256; ++k)
+            lines.push_back({{1e-3 * (k % 16), 1e-3 * (k / 16), -4}, {0, 0, 1}, 0, 6});
+        return lines;
     }
 };
 

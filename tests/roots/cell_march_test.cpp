@@ -91,6 +91,23 @@ class CellMarchTest : public QObject {
         QCOMPARE(March(rowOfBalls()).run(none), CellMarch::Outcome::nothingAsked);
     }
 
+    /// The threshold is on neither side.
+    void whereTheFunctionIsTheThresholdABoxHasNoSign() {
+        const auto function =
+            PreparedFunction::of(tapeOf([](auto x, auto, auto) { return max(x, x.number(0)); }), {});
+        for (const bool inverted : {false, true}) {
+            RootSettings settings;
+            settings.positivePolarity = inverted;
+            BoxPieces boxes(*function, settings);
+            boxes.place({-2, 0, 0}, {1, 1, 1}, 0);
+            boxes.place({2, 0, 0}, {1, 1, 1}, 1);
+            boxes.enclose(2);
+            QCOMPARE(boxes.sign(0), 0.0);
+            QVERIFY(!boxes.isOutside(0));
+            QCOMPARE(boxes.sign(1), inverted ? -1.0 : 1.0);
+        }
+    }
+
     /// A bug once: at the edge of a fractal each tile made short tapes by the thousand, 46 s for a picture of
     /// a magnet that takes 8 s without cells.
     void cellsThatCostTooMuchAreLeft() {
@@ -136,6 +153,19 @@ class CellMarchTest : public QObject {
         qInfo("%g enclosures a line", static_cast<double>(march.evaluations) / 1024);
         // Nearly all of them of single balls.
         QVERIFY(march.evaluations < 6 * lines.size());
+    }
+
+    /// Behind the wall hardly a choice is decided anywhere: there, cells would cost too much.
+    void whatIsHiddenMakesNoCells() {
+        const auto wallBeforeWaves = tapeOf([](auto, auto, auto z) {
+            Expression waves = z * 0;
+            for (int k = 0; k < 30; ++k) waves = waves + max(sin((1e5 + k) * z), 0.0);
+            return min(sq(z + 1) - 0.01, max(-z, waves - 10));
+        });
+        March march(wallBeforeWaves);
+        const std::vector<LineQuery> lines = ahead(0.001);
+        QCOMPARE(march.run(lines), CellMarch::Outcome::done);
+        for (std::size_t i = 0; i < lines.size(); ++i) QVERIFY(std::abs(march.t(i) - 2.9) < 1e-7);
     }
 
     /// Lines that begin inside an open surface leave it later, several cells on.

@@ -68,6 +68,19 @@ std::vector<LineQuery> someLines(std::mt19937_64& random, int view) {
     return lines;
 }
 
+/// Finds nothing, and notes how many normals are asked for at a time.
+class RecordingFinder : public LineRootFinder {
+  public:
+    void find(std::span<const LineQuery>, const RootRequest&, std::span<RootList>) override {}
+    void normals(std::span<const glm::dvec3> points, std::span<glm::dvec3>) override {
+        asked.push_back(points.size());
+    }
+    double value(const glm::dvec3&) override { return 0; }
+    RootFinderReport report() const override { return {}; }
+
+    std::vector<std::size_t> asked;
+};
+
 }  // namespace
 
 class FirstRootsTest : public QObject {
@@ -198,6 +211,28 @@ class FirstRootsTest : public QObject {
         QVERIFY(jumps > 500);
         // The same to the last bit but where POV-Ray halves exactly at the jump.
         QVERIFY2(apart <= jumps / 500, qPrintable(QString("%1 of %2").arg(apart).arg(jumps)));
+    }
+
+    void noLinesHaveNoRoots() {
+        const auto sphere = tapeOf([](auto x, auto y, auto z) { return sq(x) + sq(y) + sq(z) - 1; });
+        CertifiedRootFinder finder(sphere, {}, {});
+        FirstRoots roots;
+        finder.findFirst(LineColumns(), {}, roots);
+        QVERIFY(roots.crossings.empty());
+        QVERIFY(finder.verdicts().empty());
+        QCOMPARE(finder.report().searches, std::uint64_t(0));
+    }
+
+    void normalsAreAskedForAFewAtATime() {
+        RecordingFinder finder;
+        for (const std::size_t count : {0, 1, 64, 128, 130}) {
+            finder.asked.clear();
+            std::vector<glm::dvec3> points(count), normals(count);
+            finder.computeNormals(points, {}, normals);
+            std::vector<std::size_t> wanted(count / 64, 64);
+            if (count % 64 != 0) wanted.push_back(count % 64);
+            QCOMPARE(finder.asked, wanted);
+        }
     }
 
     void aStopLeavesNothing() {

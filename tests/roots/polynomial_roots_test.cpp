@@ -45,6 +45,17 @@ class PolynomialRootsTest : public QObject {
         }
     }
 
+    /// Newton's steps alone would come near a pair of roots by halves.
+    void closedFormsTellCloseRootsApart() {
+        const double apart = 0x1p-24;
+        const double coefficients[] = {1, -(1 + apart), -1, 1 + apart};
+        const auto roots = polynomialRoots(coefficients, -2, 2, PolynomialMethod::vieta);
+        const std::vector<double> wanted{-1, 1, 1 + apart};
+        QCOMPARE(roots.size(), wanted.size());
+        for (std::size_t k = 0; k < wanted.size(); ++k)
+            QVERIFY(std::abs(roots[k] - wanted[k]) < 1e-3 * apart);
+    }
+
     void degenerateInput() {
         const double nothing[] = {0, 0, 0}, constant[] = {0, 3}, notFinite[] = {1, NAN}, line[] = {0, 2, -1};
         QVERIFY(polynomialRoots(nothing, -1, 1).empty());

@@ -122,6 +122,18 @@ class RealRootsTest : public QObject {
                 std::abs(got[2] - 2e6) < 1e-4);
     }
 
+    void degreesUpToTheLimitAreSolved() {
+        const auto powerLessOne = [](std::size_t degree) {
+            std::vector<double> coefficients(degree + 1);
+            coefficients.front() = 1;
+            coefficients.back() = -1;
+            return coefficients;
+        };
+        QCOMPARE(found(powerLessOne(realRootsDegreeLimit - 1), -2, 2), std::vector<double>{1});
+        QCOMPARE(found(powerLessOne(realRootsDegreeLimit), -2, 2), (std::vector<double>{-1, 1}));
+        QVERIFY(found(powerLessOne(realRootsDegreeLimit + 1), -2, 2).empty());
+    }
+
     void degenerateInput() {
         QVERIFY(found({0, 0, 0}, -1, 1).empty());
         QVERIFY(found({0, 3}, -1, 1).empty());

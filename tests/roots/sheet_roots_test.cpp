@@ -144,6 +144,16 @@ class SheetRootsTest : public QObject {
         QCOMPARE(Found(sphere(), lines, {}, 3.9).size(), std::size_t{0});
     }
 
+    void aRootRightAtWhatIsSufficientCounts() {
+        const auto plane = tapeOf([](auto, auto, auto z) { return -z; });
+        std::vector<LineQuery> lines;
+        for (int k = 0; k < 64; ++k)
+            lines.push_back({{0.01 * (k % 8), 0.01 * (k / 8), -4}, {0, 0, 1}, 2.4, 5.6});
+        const Found sheet(plane, lines, {}, 4);
+        QCOMPARE(sheet.size(), lines.size());
+        for (std::size_t k = 0; k < sheet.size(); ++k) QCOMPARE(sheet.t(k), 4.0);
+    }
+
     /// Thresholds and signs as the settings say.
     void thresholdAndPolarityCount() {
         std::mt19937_64 random(seed);
