@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/function/graph_builder.h"
+#include "core/roots/polynomial/wide_number.h"
 #include "tests/roots/line_table.h"
 #include "tests/support/tape_of.h"
 #include "tests/support/test_setting.h"
@@ -221,6 +222,73 @@ class CertifiedRootFinderTest : public QObject {
             QVERIFY(answer.roots[0].kind == RootKind::crossing && answer.roots[0].t == 1);
             QVERIFY(answer.verdict == Verdict::certifiedHit);
         }
+    }
+
+    /// A line as short as the resolution, without bounds in the wall where it enters: what lies right behind
+    /// its end is none of it.
+    void aShortLineEndsWhereItEnds() {
+        constexpr double resolution = 0.003, wall = resolution / 64;
+        const auto tape = tapeOf([](auto x, auto, auto) {
+            return select(x - (1 + wall / 2), 1 / (x - 1), 1 + resolution + wall / 2 - x);
+        });
+        const Answer answer = ask(tape, {{0, 0, 0}, {1, 0, 0}, 1, 1 + resolution}, openSettings(1));
+        QVERIFY(answer.roots.empty());
+        QCOMPARE(answer.verdict, Verdict::certifiedMiss);
+    }
+
+    /// The stretch that holds it is halved down to neighbouring doubles, by some 34 values.
+    void aPoleIsLookedForOnce() {
+        const auto tape = tapeOf([](auto x, auto, auto) { return 1 / x; });
+        const Answer answer = ask(tape, along(), openSettings());
+        QVERIFY(answer.roots.empty());
+        QVERIFY2(answer.evaluations < 130, qPrintable(QString::number(answer.evaluations)));
+    }
+
+    /// Each side of the jump is clear of the surface where it holds: one enclosure of the whole piece and one
+    /// of each side, and one of the next piece.
+    void aJumpOutsideTheSolidTakesAnEnclosureOfEachSide() {
+        const auto tape = tapeOf([](auto x, auto, auto) { return select(x - 1.1, 1.2 - x, x - 1.05); });
+        const Answer answer = ask(tape, {{0.6, 0, 0}, {1, 0, 0}, 0, 2}, openSettings());
+        QVERIFY(answer.roots.empty());
+        QCOMPARE(answer.verdict, Verdict::certifiedMiss);
+        QCOMPARE(answer.evaluations, std::uint64_t(4));
+    }
+
+    void aJumpThroughTheThresholdTakesFewEnclosures() {
+        const auto tape = tapeOf([](auto x, auto, auto) { return 2.5 - floor(x); });
+        const Answer answer = ask(tape, {{0.6, 0, 0}, {1, 0, 0}, 0, 4}, openSettings(), 0);
+        QCOMPARE(answer.roots.size(), std::size_t(1));
+        QCOMPARE(answer.roots[0].kind, RootKind::jump);
+        QVERIFY2(answer.evaluations < 30, qPrintable(QString::number(answer.evaluations)));
+    }
+
+    /// To the last bit: by more digits than the search has.
+    void theRootOfAJumpIsBehindIt() {
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> anywhere(-1, 1);
+        const auto tape = tapeOf([](auto x, auto y, auto z) { return 0.5 - floor(x + 2 * y + 4 * z); });
+        CertifiedRootFinder finder(tape, {}, openSettings());
+        int jumps = 0;
+        for (int k = 0; k < 1000; ++k) {
+            const LineQuery line{{anywhere(random), anywhere(random), anywhere(random)},
+                                 {anywhere(random), anywhere(random), anywhere(random)},
+                                 0,
+                                 5};
+            const auto isBelowOne = [&](Wide t) {
+                Wide sum = 0;
+                for (int c = 0; c < 3; ++c) sum += (1 << c) * (line.origin[c] + t * line.direction[c]);
+                return sum < 1;
+            };
+            RootList roots;
+            finder.find({&line, 1}, {0, false, {}}, {&roots, 1});
+            QCOMPARE(!roots.empty(), isBelowOne(0) != isBelowOne(line.far));
+            if (roots.empty()) continue;
+            ++jumps;
+            QCOMPARE(roots[0].kind, RootKind::jump);
+            QVERIFY(isBelowOne(roots[0].t) != isBelowOne(0));
+            QVERIFY(isBelowOne(roots[0].t - 1e-6) == isBelowOne(0));
+        }
+        QVERIFY(jumps > 300);
     }
 
     void settingsAreThoseThatPovrayWouldUse() {

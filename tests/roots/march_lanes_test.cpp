@@ -68,6 +68,40 @@ class MarchLanesTest : public QObject {
             QCOMPARE(unresolved.pieces.length[lane], ShortStep::resolution);
         }
     }
+
+    void errorsShortenPiecesByHowLargeTheyAre_data() { aPieceShorterThanTheResolutionKeepsItsLength_data(); }
+
+    /// Where the error is more than sixteen times the value, half the piece would hardly tell the sign.
+    void errorsShortenPiecesByHowLargeTheyAre() {
+        QFETCH(qint64, target);
+        const ForcedInstructionSet forced(target);
+        for (const double value : {0.01, 2.0}) {
+            const double usual = lengthBehind(value, 15.5 * value), wild = lengthBehind(value, 16.5 * value);
+            QVERIFY(usual < 0.5 && wild < 0.5 * usual);
+            QCOMPARE(lengthBehind(value, 1.5 * value), usual);
+        }
+    }
+
+  private:
+    /// How long a piece of length 1 becomes whose sign is open at its start, given the center and the error
+    /// of its form.
+    static double lengthBehind(double center, double error) {
+        RayPieces pieces;
+        MarchLanes lanes{};
+        std::array<MarchEvent, batchLanes> events{};
+        pieces.length.fill(1);
+        lanes.far.fill(2);
+        lanes.resolution.fill(1e-3);
+        lanes.tolerance.fill(2e-3);
+        lanes.sign.fill(1);
+        lanes.watched.fill(MarchLanes::noSign);
+        lanes.budget.fill(100);
+        std::array<double, batchLanes> a, b{}, e;
+        a.fill(center);
+        e.fill(error);
+        march(pieces, lanes, {a.data(), b.data(), e.data()}, {}, batchLanes, events.data());
+        return pieces.length[0];
+    }
 };
 
 QTEST_APPLESS_MAIN(MarchLanesTest)

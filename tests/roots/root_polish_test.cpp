@@ -15,9 +15,8 @@ namespace {
 /// `middle`; `steepness` and `leftover` are what a search would tell.
 template <class Make>
 std::vector<Root> polish(Make make, double middle, double half, double steepness, double leftover,
-                         std::uint64_t* evaluations = nullptr) {
+                         std::uint64_t* evaluations = nullptr, const RootSettings& settings = {}) {
     PointEvaluator points(tapeOf(make), {});
-    const RootSettings settings;
     std::vector<LineQuery> queries;
     std::vector<RootList> roots;
     std::vector<RoughRoot> rough;
@@ -76,6 +75,32 @@ class RootPolishTest : public QObject {
                 QCOMPARE(roots[k].kind, RootKind::crossing);
             }
         }
+    }
+
+    void thresholdAndPolarityCount() {
+        const auto inverted = [](auto x, auto y, auto) { return 7 - sq(x) - sq(y); };
+        RootSettings settings;
+        settings.threshold = 3;
+        settings.positivePolarity = true;
+        std::uint64_t evaluations = 0;
+        const std::vector<Root> roots = polish(inverted, 1.998, 0.01, 4, 1, &evaluations, settings);
+        for (std::size_t k = 0; k < roots.size(); ++k)
+            QVERIFY(std::abs(roots[k].t - std::sqrt(4 - y(k) * y(k))) < 1e-7);
+        QVERIFY2(evaluations <= 300, qPrintable(QString::number(evaluations)));
+    }
+
+    /// Infinite up to right before the root, which is by a small part of the interval before the last of
+    /// eight halvings.
+    void whatIsInfiniteOnOneSideIsHalved() {
+        constexpr double middle = 2, half = 0.5, root = middle - half + 255.0 / 256 - 1e-7;
+        const auto steep = [](auto x, auto, auto) { return exp(1e6 * (root - x)) - 1; };
+        std::uint64_t evaluations = 0;
+        for (const Root& found : polish(steep, middle, half, 0, 1, &evaluations)) {
+            QCOMPARE(found.kind, RootKind::crossing);
+            QVERIFY(std::abs(found.t - root) <= 2 * half / 256);
+        }
+        // One at the middle, two at the ends, eight halvings.
+        QCOMPARE(evaluations, std::uint64_t(1100));
     }
 
     void kinksAreMetToo() {
