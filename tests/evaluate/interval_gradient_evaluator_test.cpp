@@ -403,6 +403,12 @@ class IntervalGradientEvaluatorTest : public QObject {
                  qPrintable(QString::asprintf("[%g, %g]", flat.slope[1].low, flat.slope[1].high)));
     }
 
+    void aRemainderOfInfinityIsTheNumberItself() {
+        const IntervalGradient rest = over([](auto x, auto, auto) { return mod(x, x.number(INFINITY)); },
+                                           {Interval{2, 2.5, false}, unit, unit});
+        QVERIFY(rest.bounded() && rest.value.holds(2.25) && rest.slope[0].high >= 1);
+    }
+
     /// 0 counts as above 0 where there is no case of its own.
     void aSelectFrom0OnHasTheSlopesOfOneCase() {
         const IntervalGradient other = over([](auto x, auto y, auto z) { return select(x, y, z); },

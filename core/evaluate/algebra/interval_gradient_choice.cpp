@@ -169,7 +169,8 @@ IntervalGradient remainderOf(const IntervalGradient& a, const IntervalGradient& 
     const Interval ratio = a.value / b.value;
     const double first = std::trunc(ratio.low), last = std::trunc(ratio.high);
     if (first == last && std::abs(first) < 1e15 && !ratio.maybeUndefined) {
-        IntervalGradient result = sum(a, scaled(b, -first));
+        // Nothing times a divisor that may be infinite is nothing.
+        IntervalGradient result = first == 0 ? a : sum(a, scaled(b, -first));
         if (result.hazard <= GradientHazard::jump &&
             !(value.low > result.value.high || value.high < result.value.low))
             result.value = {std::max(value.low, result.value.low), std::min(value.high, result.value.high),
