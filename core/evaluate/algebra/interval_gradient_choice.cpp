@@ -98,6 +98,8 @@ IntervalGradient takenSide(Operation operation, Operands operands, bool second) 
 IntervalGradient possibleSide(Operation operation, Operands operands, bool second) {
     IntervalGradient side = takenSide(operation, operands, second);
     side.smooth = side.root.smooth = false;
+    // The values behind a pending wrap are not those of the range.
+    if (std::ranges::any_of(operands, [](const IntervalGradient* u) { return u->wrap != 0; })) return side;
     if (operation == Operation::absolute) {
         side.value.low = std::max(side.value.low, 0.0);
     } else if (!isSelect(operation) && !mayJump(*operands[0], *operands[1])) {
