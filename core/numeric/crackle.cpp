@@ -20,10 +20,10 @@ struct CellOffset {
     int axis[3];
 };
 
-constexpr bool isSearched(int x, int y, int z) { return (x * x == 4) + (y * y == 4) + (z * z == 4) <= 1; }
+consteval bool isSearched(int x, int y, int z) { return (x * x == 4) + (y * y == 4) + (z * z == 4) <= 1; }
 
 /// The 81 cells to look at, nearest first so that the later ones can be skipped.
-constexpr std::array<CellOffset, 81> buildOffsets() {
+consteval std::array<CellOffset, 81> buildOffsets() {
     std::array<CellOffset, 81> offsets{};
     std::size_t count = 0;
     for (int shell = 0; shell <= 6; ++shell)

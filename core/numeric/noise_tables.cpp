@@ -12,7 +12,7 @@ namespace isoscope {
 
 namespace {
 
-constexpr std::array<unsigned short, 8192> buildLatticeHash() {
+consteval std::array<unsigned short, 8192> buildLatticeHash() {
     std::array<unsigned short, 8192> hash{};
     for (unsigned i = 0; i < 4096; ++i) hash[i] = static_cast<unsigned short>(i);
     LinearCongruential random(0);
@@ -23,7 +23,7 @@ constexpr std::array<unsigned short, 8192> buildLatticeHash() {
 
 /// CRC-16 (reflected, polynomial 0xA001, register 0) of the big-endian bytes of `value`, three times in a
 /// row.
-constexpr unsigned tripleCrc(double value) {
+consteval unsigned tripleCrc(double value) {
     const auto bits = std::bit_cast<std::uint64_t>(value);
     unsigned crc = 0;
     for (int byte = 0; byte < 24; ++byte) {
@@ -36,7 +36,7 @@ constexpr unsigned tripleCrc(double value) {
 /// crc*2/65535 - 1 rounded to six significant decimal digits. The fraction is never half-way between two
 /// such numbers (the numerator is even, 65535 is odd), so whole-number arithmetic decides exactly, and the
 /// quotient of two exact doubles is the double nearest to the decimal figure.
-constexpr double sixDigits(unsigned crc) {
+consteval double sixDigits(unsigned crc) {
     const bool negative = 2 * crc < 65535;
     const std::uint64_t numerator = negative ? 65535 - 2 * crc : 2 * crc - 65535;
     std::uint64_t scale = 1;
@@ -46,7 +46,7 @@ constexpr double sixDigits(unsigned crc) {
     return negative ? -magnitude : magnitude;
 }
 
-constexpr std::array<double, 267> buildLatticeValues() {
+consteval std::array<double, 267> buildLatticeValues() {
     std::array<double, 267> values{};
     for (std::size_t i = 0; i < 267; ++i) values[i] = sixDigits(tripleCrc(static_cast<double>(i) * 0.12345));
     return values;
@@ -54,7 +54,7 @@ constexpr std::array<double, 267> buildLatticeValues() {
 
 // Built by the compiler: looking it up costs no guard in the inner loop.
 constexpr std::array<unsigned short, 8192> hashTable = buildLatticeHash();
-constexpr LatticeLookup buildLookup() {
+consteval LatticeLookup buildLookup() {
     LatticeLookup lookup{};
     for (unsigned i = 0; i < 4096; ++i) {
         lookup.hash[i] = hashTable[i];

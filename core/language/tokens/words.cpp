@@ -184,9 +184,9 @@ uint16le uint8 ultra_wide_angle union up use_alpha use_color use_colour use_inde
 uv_vectors v_steps variance vertex_vectors warp water_level waves width wood wrinkles xyz
 )";
 
-constexpr bool isBlank(char c) { return c == ' ' || c == '\n'; }
+consteval bool isBlank(char c) { return c == ' ' || c == '\n'; }
 
-constexpr std::size_t countOf(std::string_view list) {
+consteval std::size_t countOf(std::string_view list) {
     std::size_t count = 0;
     for (std::size_t i = 1; i < list.size(); ++i) count += isBlank(list[i]) && !isBlank(list[i - 1]);
     return count;
@@ -198,7 +198,7 @@ constexpr bool isFunction(const OperationFacts& facts) { return facts.form != Ca
 constexpr std::size_t wordCount =
     described.size() + countOf(shapes) + countOf(others) + std::ranges::count_if(operationTable, isFunction);
 
-constexpr Word* addWords(std::string_view list, WordUse uses, Word* next) {
+consteval Word* addWords(std::string_view list, WordUse uses, Word* next) {
     for (std::size_t begin = 0; begin < list.size(); ++begin) {
         std::size_t end = begin;
         while (!isBlank(list[end])) ++end;
@@ -208,7 +208,7 @@ constexpr Word* addWords(std::string_view list, WordUse uses, Word* next) {
     return next;
 }
 
-constexpr std::array<Word, wordCount> sortedWords() {
+consteval std::array<Word, wordCount> sortedWords() {
     std::array<Word, wordCount> all{};
     auto* next = std::copy(described.begin(), described.end(), all.data());
     for (const OperationFacts& facts : operationTable)
