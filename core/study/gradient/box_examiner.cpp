@@ -49,6 +49,7 @@ BoxExaminer::BoxExaminer(const std::shared_ptr<const PreparedFunction>& function
 ExaminedBox BoxExaminer::examine(GradientBox box, double bound, const BoxQuestion& question) {
     ask(question);
     ExaminedBox answer;
+    const std::uint64_t before = intervals_.evaluations();
     // Where boxes have no bound nothing else looks for steep places.
     if (!leftOut_.empty()) offerIfSteeper(box.center());
     while (!domain_.misses(box)) {
@@ -57,6 +58,7 @@ ExaminedBox BoxExaminer::examine(GradientBox box, double bound, const BoxQuestio
         // Whatever was found, and whatever has become of the box.
         if (LoopStop::requested()) {
             answer.state = ExaminedBox::State::stopped;
+            stoppedEvaluations_ += intervals_.evaluations() - before;
             break;
         }
         box = part;

@@ -97,8 +97,8 @@ class BoxExaminer {
     GradientEvaluator& gradients() { return gradients_; }
     /// By doubles; NaN where the function has no value.
     double valueAt(const glm::dvec3& p) { return values_.evaluate(p.x, p.y, p.z); }
-    /// Boxes evaluated so far.
-    std::uint64_t evaluations() const { return intervals_.evaluations(); }
+    /// Boxes evaluated so far. Those of a box that a stop left for later do not count: they come again.
+    std::uint64_t evaluations() const { return intervals_.evaluations() - stoppedEvaluations_; }
 
   private:
     double target() const;
@@ -134,6 +134,7 @@ class BoxExaminer {
     PointEvaluator values_;
     BoxQuestion question_;
     SteepPlace steepest_;
+    std::uint64_t stoppedEvaluations_ = 0;
     unsigned casesTried_ = 0, casesPaid_ = 0;
     unsigned middleTried_ = 0, middlePaid_ = 0;
     std::optional<std::size_t> finerClass_;

@@ -302,7 +302,7 @@ bool GradientStudy::adopt(const ExaminedBox& answer, GradientHazard hazard) {
         return true;
     }
     if (state == ExaminedBox::State::stopped) {
-        putBack({box, bound, axisToHalve(box, glm::dvec3(0)), hazard});
+        putBack({.box = box, .bound = bound, .axis = axisToHalve(box, {}), .hazard = hazard, .isNew = true});
         return false;
     }
     if (state == ExaminedBox::State::done) return true;
@@ -397,6 +397,7 @@ void GradientStudy::halve(std::span<const Region> regions, const std::stop_token
 
 /// Whether a region can be halved. If not, it is dealt with.
 bool GradientStudy::isDivisible(const Region& region) {
+    if (region.isNew) return true;
     constexpr double smallest = 0x1p-42;
     const double middle = 0.5 * region.box.low[region.axis] + 0.5 * region.box.high[region.axis];
     const bool divisible = middle > region.box.low[region.axis] && middle < region.box.high[region.axis];
@@ -433,6 +434,10 @@ void GradientStudy::addParts(const Region& region, std::vector<Part>& parts) {
         halves[0].high[axis] = halves[1].low[axis] = 0.5 * box.low[axis] + 0.5 * box.high[axis];
         return halves;
     };
+    if (region.isNew) {
+        parts.push_back({region.box, region.bound, region.hazard, question(), nullptr});
+        return;
+    }
     // Halves that are seldom done with are not worth being looked at before they are halved.
     double& done = done_[distanceClass(region.bound, target())];
     const bool quarters = region.bound < infinite && region.nextAxis >= 0 &&

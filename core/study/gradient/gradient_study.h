@@ -89,7 +89,8 @@ class GradientStudy {
         double bound;
         int axis;  ///< to halve along
         GradientHazard hazard;
-        int nextAxis = -1;  ///< to halve the halves along, where known
+        int nextAxis = -1;   ///< to halve the halves along, where known
+        bool isNew = false;  ///< a stop came before it was looked at: it is, before it is halved
 
         /// The steepest first.
         bool operator<(const Region& other) const { return bound < other.bound; }
