@@ -8,6 +8,7 @@
 #include "core/language/objects/transform_parser.h"
 #include "core/language/scene_draft.h"
 #include "core/language/statement_description.h"
+#include "core/language/textures/pigment_parser.h"
 #include "core/language/tokens/block_words.h"
 #include "core/language/tokens/unknown_name.h"
 
@@ -67,12 +68,12 @@ bool FogParser::parseItem() {
     } else if (tokens_.accept("octaves")) {
         const double octaves = expressions.parseFloat();
         fog_.octaves = octaves >= 10 ? 10 : octaves >= 1 ? static_cast<int>(octaves) : 1;
-    } else if (!parseNumberItem()) {
-        if (!tokens_.accept("color") && !tokens_.accept("colour") && !expressions.atExpression())
-            return false;
+    } else if (PigmentParser colors(tokens_); colors.atColor()) {
+        colors.warnOfBareVector();
         fog_.color = expressions.parseColor();
+    } else {
+        return parseNumberItem();
     }
-    tokens_.accept(",");
     return true;
 }
 
@@ -92,7 +93,10 @@ bool FogParser::parseNumberItem() {
             fog_.*entry.member = ExpressionParser(tokens_).parseFloat();
             return true;
         }
-    return false;
+    // As POV-Ray takes it, a number alone is the distance.
+    if (!ExpressionParser(tokens_).atExpression()) return false;
+    fog_.distance = ExpressionParser(tokens_).parseFloat();
+    return true;
 }
 
 void parse(TokenStream& tokens, SceneDraft& draft) { draft.scene.fogs.push_back(FogParser(tokens).parse()); }

@@ -6,6 +6,7 @@
 #include "core/language/scene_draft.h"
 #include "core/language/statement_description.h"
 #include "core/language/textures/pigment_parser.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
@@ -33,6 +34,7 @@ class RainbowParser {
 std::optional<Rainbow> RainbowParser::parse() {
     // Where the text says nothing the arc is whole.
     rainbow_.arcAngle = rainbow_.falloffAngle = 360;
+    rainbow_.direction = {};
     const SourceRange start = tokens_.lastRange();
     tokens_.charge(TokenStream::stepsPerItem, start);
     if (!tokens_.expect("{", "to begin `rainbow`")) return std::nullopt;
@@ -52,7 +54,13 @@ std::optional<Rainbow> RainbowParser::parse() {
                           : !(rainbow_.distance > 0)                                ? "a `distance`"
                           : !(glm::dot(rainbow_.direction, rainbow_.direction) > 0) ? "a `direction`"
                                                                                     : nullptr;
-    if (!missing) return rainbow_;
+    if (!missing) {
+        if (glm::cross(rainbow_.direction, rainbow_.up) == glm::dvec3(0))
+            warnOfRefusal(tokens_.context(), rangeSince(start, tokens_),
+                          "wants an `up` that is not along the `direction` of a `rainbow`.",
+                          "turn one of them");
+        return rainbow_;
+    }
     tokens_.context().error("bad-rainbow", rangeSince(start, tokens_),
                             std::string("A rainbow needs ") + missing + ".");
     return std::nullopt;
@@ -84,7 +92,6 @@ bool RainbowParser::parseItem() {
     } else if (!parseNumberItem()) {
         return false;
     }
-    tokens_.accept(",");
     return true;
 }
 

@@ -145,7 +145,7 @@ class SceneValuesTest : public QObject {
     void fogs_data() {
         columns();
         row("fog { distance 10 color rgb 0.5 }", "distance 10, color 0.5 0.5 0.5, line 1");
-        row("fog { distance 10, rgb <1, 0.5, 0.25> }", "distance 10, color 1 0.5 0.25, line 1");
+        row("fog { distance 10 rgb <1, 0.5, 0.25> }", "distance 10, color 1 0.5 0.25, line 1");
         row("fog { fog_type 2 distance 10 fog_offset 1 fog_alt 2 color rgbft <1, 1, 1, 0.5, 0.25> }",
             "ground yes, distance 10, color 1 1 1 filter 0.5 transmit 0.25, offset 1, altitude 2, line 1");
         row("fog { fog_type 1 distance 10 }", "distance 10, line 1");
@@ -168,15 +168,15 @@ class SceneValuesTest : public QObject {
 
     void rainbows_data() {
         columns();
-        row("rainbow { angle 42 width 5 distance 100 color_map { [0 rgb 0] [1 rgb 1] } }",
+        row("rainbow { direction z angle 42 width 5 distance 100 color_map { [0 rgb 0] [1 rgb 1] } }",
             "angle 42, width 5, distance 100, arc 360, falloff 360, 2 colors, line 1");
         row("rainbow { direction <1, 2, 3> up z angle 42 width 5 distance 100 jitter 0.5 arc_angle 120 "
             "falloff_angle 60 color_map { [0 rgb 0] [0.5 rgb 1] [1 rgb 1] } }",
             "direction 1 2 3, up 0 0 1, angle 42, width 5, distance 100, jitter 0.5, arc 120, falloff 60, 3 "
             "colors, line 1");
-        row("\nrainbow { angle 42, width 5, distance 100, colour_map { [0 rgb 0] [1 rgb 1] } }",
+        row("\nrainbow { direction z angle 42 width 5 distance 100 colour_map { [0 rgb 0] [1 rgb 1] } }",
             "angle 42, width 5, distance 100, arc 360, falloff 360, 2 colors, line 2");
-        row("#declare R = rainbow { angle 42 width 5 distance 100 color_map { [0 rgb 0] [1 rgb 1] } "
+        row("#declare R = rainbow { direction z angle 42 width 5 distance 100 color_map { [0 rgb 0] [1 rgb 1] } "
             "}\nrainbow { R angle 30 }",
             "angle 30, width 5, distance 100, arc 360, falloff 360, 2 colors, line 2");
     }
@@ -216,7 +216,7 @@ class SceneValuesTest : public QObject {
         row("sphere { 0, 1 hollow off }", "sphere in line 1");
         row("sphere { 0, 1 no_image off no_reflection off hollow on }", "hollow yes, sphere in line 1");
         row("sphere { 0, 1 double_illuminate }", "both sides yes, sphere in line 1");
-        row("object { torus { 1, 0.2 } no_radiosity on hierarchy off split_union off sturm no_shadow }",
+        row("object { torus { 1, 0.2 } no_radiosity on sturm no_shadow }",
             "shadow no, torus in line 1");
         row("sphere { 0, 1 pigment { rgbt 0.5 } }", "transparent yes, sphere in line 1");
         row("sphere { 0, 1 pigment { rgbt 0.5 } interior { ior 1.5 } }",

@@ -33,16 +33,16 @@ std::optional<CsgOperation> csgOperation(std::string_view word) {
     return std::nullopt;
 }
 
-/// Flags that change nothing here, and the statements in which POV-Ray takes them.
+/// Flags that change nothing here, and the objects of which POV-Ray takes them.
 struct FlagOfSome {
     std::string_view word;
-    std::array<std::string_view, 12> keywords;
+    std::array<std::string_view, 9> keywords;
+    bool wantsValue = false;
 };
 constexpr std::array<FlagOfSome, 3> flagsOfSome{
-    {{"sturm",
-      {"object", "blob", "torus", "lathe", "prism", "sor", "cubic", "quartic", "poly", "polynomial"}},
-     {"hierarchy", {"object", "blob", "mesh", "mesh2", "height_field"}},
-     {"split_union", {"object", "union", "merge", "light_group"}}}};
+    {{"sturm", {"blob", "torus", "lathe", "prism", "sor", "cubic", "quartic", "poly", "polynomial"}},
+     {"hierarchy", {"blob", "mesh", "mesh2", "height_field"}},
+     {"split_union", {"union", "merge", "light_group"}, true}}};
 
 /// Null where the word is none of them.
 const FlagOfSome* flagOfSome(std::string_view word) {
@@ -333,11 +333,15 @@ bool ObjectParser::parseFlag(Statement& statement) {
         parseOn();
     else if (const FlagOfSome* flag = flagOfSome(tokens_.peek().text)) {
         const Token word = tokens_.next();
-        parseOn();
-        if (std::ranges::find(flag->keywords, statement.keyword.text) == flag->keywords.end())
+        if (flag->wantsValue && !ExpressionParser(tokens_).atExpression())
             warnOfRefusal(tokens_.context(), word.range,
-                          "does not take `" + std::string(word.text) + "` in `" +
-                              std::string(statement.keyword.text) + "`.",
+                          "wants a number behind `" + std::string(word.text) + "`.", "write `on` behind it");
+        parseOn();
+        // Of an `object`, what it holds.
+        const std::string& object = statement.description.keyword;
+        if (statement.drawn && std::ranges::find(flag->keywords, object) == flag->keywords.end())
+            warnOfRefusal(tokens_.context(), word.range,
+                          "does not take `" + std::string(word.text) + "` in `" + object + "`.",
                           "leave it out");
     } else if (tokens_.accept("global_lights"))
         description.globalLights = parseOn();

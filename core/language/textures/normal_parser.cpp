@@ -6,6 +6,7 @@
 #include "core/language/expressions/declared_value.h"
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/textures/image_map_parser.h"
+#include "core/language/textures/map_position.h"
 #include "core/language/tokens/nesting_guard.h"
 #include "core/language/tokens/unknown_name.h"
 
@@ -115,7 +116,9 @@ bool NormalParser::parsePattern() {
     const bool average = tokens_.accept("average");
     if (leftOut || (!average && !reader_.parseName())) {
         if (leftOut) reader_.skipLeftOut();
-        if (tokens_.accept(",")) ExpressionParser(tokens_).parseFloat();
+        ExpressionParser expressions(tokens_);
+        tokens_.accept(",");
+        if (expressions.atExpression()) expressions.parseFloat();
         leftOut_.emplace_back(leftOut ? name.text : std::string_view("normal"));
         normal_->amount = 0;
         while (name.is("facets") && (tokens_.accept("coords") || tokens_.accept("size")))
@@ -140,7 +143,8 @@ bool NormalParser::parsePattern() {
 /// The number that may stand behind a pattern or a name.
 void NormalParser::parseAmount() {
     ExpressionParser expressions(tokens_);
-    if (!tokens_.accept(",") && !expressions.atExpression()) return;
+    tokens_.accept(",");
+    if (!expressions.atExpression()) return;
     const double amount = expressions.parseFloat();
     settings().amount = amount;
     if (tokens_.accept(",")) warnOfLastComma(tokens_);
@@ -240,11 +244,8 @@ void NormalParser::parseNormalMap() {
     if (!tokens_.expect("{", "to begin `normal_map`")) return;
     if (const auto declared = takeDeclared<NormalPointer>(tokens_))
         if (*declared) normal_->entries = (*declared)->entries;
-    ExpressionParser expressions(tokens_);
     while (tokens_.accept("[")) {
-        double position = 1;
-        if (expressions.atExpression()) position = expressions.parseFloat();
-        tokens_.accept(",");
+        const double position = parseMapPosition(tokens_, normal_->mapKind == MapKind::average);
         NormalParser inner(tokens_, defaults_);
         if (defaults_) inner.start(*defaults_);
         inner.parseBody("]");

@@ -8,6 +8,7 @@
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/image_map_parser.h"
+#include "core/language/textures/map_position.h"
 #include "core/language/textures/warp_parser.h"
 #include "core/language/tokens/nesting_guard.h"
 #include "core/language/tokens/unknown_name.h"
@@ -344,15 +345,7 @@ bool PigmentParser::mapFailed() {
 
 bool PigmentParser::parseMapEntry(bool colors) {
     if (!tokens_.accept("[")) return false;
-    ExpressionParser expressions(tokens_);
-    double position = 1;
-    // `average` may go without weights.
-    if (expressions.atExpression() && !atColor())
-        position = expressions.parseFloat();
-    else if (colors)
-        warnOfRefusal(tokens_.context(), tokens_.peek().range, "wants a position in front of the colour.",
-                      "write a number from 0 to 1");
-    tokens_.accept(",");
+    const double position = parseMapPosition(tokens_, !colors && mapped_->kind == MapKind::average);
     mapped_->entries.push_back({position, SolidPigment{}});
     if (colors) {
         parseColorEntry();

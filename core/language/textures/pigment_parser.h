@@ -28,6 +28,10 @@ class PigmentParser {
 
     /// Whether the word begins a map of pigments or colours.
     static bool isMap(std::string_view word);
+    /// Whether a colour comes next, or a vector, which may be meant as one.
+    bool atColor();
+    /// Warns of a vector where a colour stands: POV-Ray takes none there.
+    void warnOfBareVector();
 
   private:
     void start(const Pigment& pigment);
@@ -37,7 +41,6 @@ class PigmentParser {
     bool parsePattern();
     bool parseColorSetting();
     bool parseColor();
-    void warnOfBareVector();
     bool parseOpenList();
     bool parseListItem();
     bool parseOther();
@@ -46,7 +49,6 @@ class PigmentParser {
     void parseColorEntry();
     bool mapFailed();
     bool isList() const { return mapped_ && mapped_->kind == MapKind::list; }
-    bool atColor();
     Pigment result();
 
     TokenStream& tokens_;

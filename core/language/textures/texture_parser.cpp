@@ -9,6 +9,7 @@
 #include "core/language/textures/finish_parser.h"
 #include "core/language/textures/image_map_parser.h"
 #include "core/language/textures/interior_parser.h"
+#include "core/language/textures/map_position.h"
 #include "core/language/textures/pigment_parser.h"
 #include "core/language/textures/warp_parser.h"
 #include "core/language/tokens/nesting_guard.h"
@@ -397,10 +398,7 @@ void TextureParser::parseTextureMap() {
     if (const auto declared = takeDeclared<Material>(tokens_))
         if (declared->map) mapped_->entries = declared->map->entries;
     while (tokens_.accept("[")) {
-        ExpressionParser expressions(tokens_);
-        double position = 1;
-        if (expressions.atExpression()) position = expressions.parseFloat();
-        tokens_.accept(",");
+        const double position = parseMapPosition(tokens_, mapped_->kind == MapKind::average);
         Material entry = defaults_;
         TextureParser(tokens_, defaults_).parseBody(entry, "]", "texture_map");
         mapped_->entries.push_back({position, std::move(entry)});
