@@ -54,7 +54,7 @@ struct PointAlgebra {
     static HWY_INLINE Vector absolute(Vector a) { return hn::Abs(a); }
     static HWY_INLINE Vector square(Vector a) { return hn::Mul(a, a); }
     static HWY_INLINE Vector squareRoot(Vector a) { return hn::Sqrt(a); }
-#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_SSE2
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128 || HWY_TARGET == HWY_SSE2
     // Highway's own go through integers there and lose the sign of zeros.
     static HWY_INLINE Vector floor(Vector a) { return hn::CopySign(hn::Floor(a), a); }
     static HWY_INLINE Vector ceiling(Vector a) { return hn::CopySign(hn::Ceil(a), a); }
