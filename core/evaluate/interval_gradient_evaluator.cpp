@@ -432,37 +432,47 @@ void IntervalGradientEvaluator::noteRoot(std::size_t root, const IntervalGradien
     blurred_ = blurred_ || !found.smooth;
 }
 
+/// The coordinate that stands in for the operand of a fold.
+static IntervalGradient coordinateOf(const IntervalGradientEvaluator::Fold& fold) {
+    const auto axis = static_cast<std::size_t>(fold.axis);
+    IntervalGradient result = coordinate(axis, fold.value);
+    result.slope[axis] = {fold.steepness, fold.steepness};
+    result.steepness = fold.steepness;
+    return result;
+}
+
 /// Whether it came to the end before a stop did.
 bool IntervalGradientEvaluator::run(double loopAllowance) {
     constexpr unsigned pace = 64;
     const auto& instructions = tape_->instructions();
-    if (finely_) parts_->begin(slots_);
+    if (finely_) {
+        const auto count = std::min<std::size_t>(static_cast<std::size_t>(tape_->argumentCount()), 3);
+        std::array<const IntervalGradient*, 3> coordinates{};
+        for (std::size_t k = 0; k < count; ++k) coordinates[k] = &slots_[k];
+        parts_->begin(std::span(coordinates).first(count));
+    }
     for (std::size_t i = 0; i < instructions.size(); ++i) {
         if (++steps_ % pace == 0 && LoopStop::requested()) return false;
-        IntervalGradient& target = slots_[instructions[i].target];
-        const bool isRoot = rootAt_[i] < roots_.size();
-        if (isRoot && firstRoot_) {
-            target = rootInstead(rootAt_[i]);
-        } else if (i != fold_) {
-            // The operands may be where the result will be.
-            const IntervalGradient whole = execute(instructions[i], i, loopAllowance);
-            target = takesJumps_ ? besideJump(instructions[i], i, whole) : whole;
-            target.root.known = target.root.known && wantedRoots_[i];
-        } else if (folds_) {
-            const auto axis = static_cast<std::size_t>(lastFold_.axis);
-            target = coordinate(axis, lastFold_.value);
-            target.slope[axis] = {lastFold_.steepness, lastFold_.steepness};
-            target.steepness = lastFold_.steepness;
-        } else {
-            target = execute(instructions[i], i, loopAllowance);
+        IntervalGradient& target =
+            slots_.make(instructions[i].target, [&] { return resultOf(instructions[i], i, loopAllowance); });
+        target.root.known = target.root.known && wantedRoots_[i];
+        if (!firstRoot_ && rootAt_[i] < roots_.size()) noteRoot(rootAt_[i], target);
+        if (i == fold_ && !folds_ && !firstRoot_)
             lastFold_ = {target.value, target.steepness, std::countr_zero(target.axes)};
-        }
-        if (isRoot && !firstRoot_) noteRoot(rootAt_[i], target);
         if (finely_) parts_->note(i, target);
         if (middle_ != Middle::none) useMiddle(i, target);
         if (isBase_[i]) bases_[i] = target;
     }
     return true;
+}
+
+/// What an instruction makes of its operands, or what stands for that.
+IntervalGradient IntervalGradientEvaluator::resultOf(const Instruction& instruction, std::size_t index,
+                                                     double loopAllowance) {
+    if (firstRoot_ && rootAt_[index] < roots_.size()) return rootInstead(rootAt_[index]);
+    if (folds_ && index == fold_) return coordinateOf(lastFold_);
+    if (!takesJumps_) return execute(instruction, index, loopAllowance);
+    return besideJump(instruction, index, execute(instruction, index, loopAllowance));
 }
 
 IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instruction, std::size_t index,

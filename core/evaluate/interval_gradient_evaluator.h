@@ -4,8 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <new>
+#include <numeric>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/evaluate/algebra/interval_gradient.h"
@@ -114,7 +117,32 @@ class IntervalGradientEvaluator {
     std::uint64_t evaluations() const { return evaluations_; }
 
   private:
+    /// What is known by slot. A result is made in a free place, for it may be made of what its slot holds;
+    /// that becomes the free place then. Copies would take as long as many an operation.
+    class Slots {
+      public:
+        explicit Slots(std::size_t count) : values_(count + 1), places_(count), free_(count) {
+            std::iota(places_.begin(), places_.end(), std::size_t(0));
+        }
+        std::size_t size() const { return places_.size(); }
+        IntervalGradient& operator[](std::size_t slot) { return values_[places_[slot]]; }
+        const IntervalGradient& operator[](std::size_t slot) const { return values_[places_[slot]]; }
+        /// The result of `maker` becomes that of the slot.
+        template <class Maker>
+        IntervalGradient& make(std::size_t slot, Maker maker) {
+            auto* made = ::new (static_cast<void*>(&values_[free_])) IntervalGradient(maker());
+            std::swap(free_, places_[slot]);
+            return *made;
+        }
+
+      private:
+        std::vector<IntervalGradient> values_;
+        std::vector<std::size_t> places_;
+        std::size_t free_;
+    };
+
     bool run(double loopAllowance);
+    IntervalGradient resultOf(const Instruction& instruction, std::size_t index, double loopAllowance);
     IntervalGradient rootInstead(std::size_t root) const;
     void noteRoot(std::size_t root, const IntervalGradient& found);
     IntervalGradient execute(const Instruction& instruction, std::size_t index, double loopAllowance);
@@ -132,7 +160,7 @@ class IntervalGradientEvaluator {
     IntervalGradient runLoop(const Instruction& instruction, double loopAllowance);
 
     std::shared_ptr<const Tape> tape_;
-    std::vector<IntervalGradient> slots_;
+    Slots slots_;
     std::vector<std::unique_ptr<IntervalGradientEvaluator>> loops_;
     std::vector<IntervalGradient> margins_;
     std::vector<bool> open_;           ///< by instruction: the choices that the last box left open

@@ -88,7 +88,8 @@ HWY_INLINE void takeIn(const Columns& column, const NoiseAxisPart& z, Extremes& 
     }
 }
 
-void includeCell(const NoiseFactors& factors, const std::array<NoiseAxisPart, 3>& parts, NoiseRange& range) {
+void includeCell(const NoiseFactors& factors, const std::array<const NoiseAxisPart*, 3>& parts,
+                 NoiseRange& range) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     Extremes extremes;
     for (std::size_t k = 0; k < noiseLanes; ++k) {
@@ -96,13 +97,13 @@ void includeCell(const NoiseFactors& factors, const std::array<NoiseAxisPart, 3>
         for (std::size_t q = 0; q < quantities; ++q)
             extremes.low[q][k] = infinite, extremes.high[q][k] = -infinite;
     }
-    for (std::size_t i = 0; i < parts[0].count; ++i) {
+    for (std::size_t i = 0; i < parts[0]->count; ++i) {
         Rows value, slope, bend;
-        sumAlongX(factors, parts[0], i, value, slope, bend);
-        for (std::size_t j = 0; j < parts[1].count; ++j) {
+        sumAlongX(factors, *parts[0], i, value, slope, bend);
+        for (std::size_t j = 0; j < parts[1]->count; ++j) {
             Columns column;
-            sumAlongY(value, slope, bend, parts[1], j, column);
-            takeIn(column, parts[2], extremes);
+            sumAlongY(value, slope, bend, *parts[1], j, column);
+            takeIn(column, *parts[2], extremes);
         }
     }
     for (std::size_t q = 0; q < quantities; ++q) {
@@ -176,7 +177,7 @@ NoiseAxisPart::NoiseAxisPart(std::pair<double, double> part) {
 
 HWY_EXPORT(includeCell);
 
-void includeNoiseCell(const NoiseFactors& factors, const std::array<NoiseAxisPart, 3>& parts,
+void includeNoiseCell(const NoiseFactors& factors, const std::array<const NoiseAxisPart*, 3>& parts,
                       NoiseRange& range) {
     HWY_DYNAMIC_DISPATCH(includeCell)(factors, parts, range);
 }

@@ -30,7 +30,7 @@ struct NoiseAxisPart {
 using NoiseFactors = std::array<std::array<std::array<double, 4>, 4>, 4>;
 
 /// Widens `range` by the coefficients of one cell; `steepness` is that of the square until all are in.
-void includeNoiseCell(const NoiseFactors& factors, const std::array<NoiseAxisPart, 3>& parts,
+void includeNoiseCell(const NoiseFactors& factors, const std::array<const NoiseAxisPart*, 3>& parts,
                       NoiseRange& range);
 
 }  // namespace isoscope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/numeric/noise_range.h"
 
+#include <span>
 #include <vector>
 
 #include "core/numeric/noise.h"
@@ -75,6 +76,31 @@ struct CellSpan {
     }
 };
 
+/// The parts of the cells that a box meets, in their order along each axis: cells in a row share them.
+struct BoxParts {
+    bool complete = false;
+    std::array<double, 3> low{}, high{};
+    std::array<std::vector<NoiseAxisPart>, 3> axes;
+};
+
+/// Of the box that the thread asked about last they are kept: the components of vector noise ask for the same
+/// one after the other.
+const BoxParts& partsOf(const std::array<double, 3>& low, const std::array<double, 3>& high,
+                        std::span<const CellSpan, 3> spans) {
+    thread_local BoxParts kept;
+    if (kept.complete && kept.low == low && kept.high == high) return kept;
+    kept.complete = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        kept.axes[axis].clear();
+        for (int i = 0; i < spans[axis].count; ++i)
+            kept.axes[axis].emplace_back(spans[axis].part(i, low[axis], high[axis]));
+    }
+    kept.low = low;
+    kept.high = high;
+    kept.complete = true;
+    return kept;
+}
+
 }  // namespace
 
 NoiseRange noiseRange(NoiseKind kind, const std::array<double, 3>& givenLow,
@@ -96,11 +122,7 @@ NoiseRange noiseRange(NoiseKind kind, const std::array<double, 3>& givenLow,
     const SlopeRange nothing{infinite, -infinite};
     NoiseRange range{nothing, {nothing, nothing, nothing}, 0, {}};
     range.bend.fill(nothing);
-    // Cells in a row share their parts.
-    std::array<std::vector<NoiseAxisPart>, 3> axes;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        for (int i = 0; i < spans[axis].count; ++i)
-            axes[axis].emplace_back(spans[axis].part(i, low[axis], high[axis]));
+    const auto& axes = partsOf(low, high, spans).axes;
     const auto cellOf = [&](std::size_t axis, std::size_t number) {
         return spans[axis].first + static_cast<double>(number);
     };
@@ -108,7 +130,7 @@ NoiseRange noiseRange(NoiseKind kind, const std::array<double, 3>& givenLow,
         for (std::size_t j = 0; j < axes[1].size(); ++j)
             for (std::size_t k = 0; k < axes[2].size(); ++k) {
                 const std::array cell{cellOf(0, i), cellOf(1, j), cellOf(2, k)};
-                const std::array parts{axes[0][i], axes[1][j], axes[2][k]};
+                const std::array parts{&axes[0][i], &axes[1][j], &axes[2][k]};
                 includeNoiseCell(
                     isGradient ? gradientFactors(cell) : latticeFactors(static_cast<int>(kind), cell), parts,
                     range);

@@ -91,7 +91,7 @@ class IntervalGradientCrackleTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void initTestCase() { qInfo("seed %u", seed); }
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
 
     /// Where points of a box look at different cells crackle jumps, and that must be told.
     void noClimbIsSteeperThanTold() {

@@ -3,6 +3,7 @@
 
 #include <QTest>
 #include <random>
+#include <thread>
 
 #include "core/numeric/noise_bounds.h"
 #include "core/numeric/noise_gradient.h"
@@ -36,6 +37,25 @@ class NoiseRangeTest : public QObject {
 
   private slots:
     void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
+
+    /// What is kept of the last box answers for that box alone: boxes that differ in one end only, by turns,
+    /// against those that a thread asks about first.
+    void boxesBeforeChangeNothing() {
+        std::mt19937_64 random(seed);
+        std::array<double, 3> low{0.2, 0.3, 0.4}, high{0.7, 1.2, 0.9};
+        for (int round = 0; round < 200; ++round) {
+            (random() % 2 == 0 ? low : high)[random() % 3] +=
+                std::uniform_real_distribution<double>(-0.01, 0.01)(random);
+            const NoiseKind kind = static_cast<NoiseKind>(random() % 4);
+            NoiseRange first;
+            std::thread([&] { first = noiseRange(kind, low, high); }).join();
+            const NoiseRange range = noiseRange(kind, low, high);
+            QCOMPARE(range.value.low, first.value.low);
+            QCOMPARE(range.value.high, first.value.high);
+            QCOMPARE(range.steepness, first.steepness);
+            for (std::size_t k = 0; k < 6; ++k) QCOMPARE(range.bend[k].high, first.bend[k].high);
+        }
+    }
 
     void holdsTheNoiseAndItsGradient_data() { addInstructionSets(); }
     void holdsTheNoiseAndItsGradient() {

@@ -177,12 +177,11 @@ IntervalGradient resolveWrap(const IntervalGradient& a) {
     return result;
 }
 
-IntervalGradient chain(const IntervalGradient& u, const Interval& value, const Derivatives& h,
-                       GradientHazard hazard) {
-    if (u.isConstant()) return constant(value);
-    if (value.empty()) return undefinedEverywhere();
-    if (u.hazard > GradientHazard::jump) return hazardous(value, u.axes, u.hazard);
-    if (!h.first.isFinite()) return hazardous(value, u.axes, worse(u.hazard, hazard));
+// Results are large. A function with one result of its own, returned everywhere, makes it where the caller
+// wants it, without a copy; so those with other ends leave making it to one of these.
+namespace {
+
+IntervalGradient chained(const IntervalGradient& u, const Interval& value, const Derivatives& h) {
     IntervalGradient result;
     result.value = value;
     result.axes = u.axes;
@@ -202,17 +201,13 @@ IntervalGradient chain(const IntervalGradient& u, const Interval& value, const D
     return result;
 }
 
-IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, const Interval& value,
-                       const TwoDerivatives& h, GradientHazard hazard) {
-    if (value.empty()) return undefinedEverywhere();
+IntervalGradient chained(const IntervalGradient& u, const IntervalGradient& v, const Interval& value,
+                         const TwoDerivatives& h) {
     const std::uint8_t axes = u.axes | v.axes;
-    const GradientHazard both = worse(u.hazard, v.hazard);
-    if (both > GradientHazard::jump) return hazardous(value, axes, both);
-    if (!h.byFirst.isFinite() || !h.bySecond.isFinite()) return hazardous(value, axes, worse(both, hazard));
     IntervalGradient result;
     result.value = value;
     result.axes = axes;
-    result.hazard = both;
+    result.hazard = worse(u.hazard, v.hazard);
     std::array<SlopeRange, 3> first{}, second{};
     for (std::size_t i = 0; i < 3; ++i) {
         if (!dependsOn(axes, i)) continue;
@@ -236,21 +231,33 @@ IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, con
     return result;
 }
 
-IntervalGradient scaled(const IntervalGradient& a, double factor) {
-    if (!std::isfinite(factor))
-        return hazardous(a.value * Interval::point(factor), a.axes, GradientHazard::overflow);
+}  // namespace
+
+IntervalGradient chain(const IntervalGradient& u, const Interval& value, const Derivatives& h,
+                       GradientHazard hazard) {
+    if (u.isConstant()) return constant(value);
+    if (value.empty()) return undefinedEverywhere();
+    if (u.hazard > GradientHazard::jump) return hazardous(value, u.axes, u.hazard);
+    if (!h.first.isFinite()) return hazardous(value, u.axes, worse(u.hazard, hazard));
+    return chained(u, value, h);
+}
+
+IntervalGradient chain(const IntervalGradient& u, const IntervalGradient& v, const Interval& value,
+                       const TwoDerivatives& h, GradientHazard hazard) {
+    if (value.empty()) return undefinedEverywhere();
+    const std::uint8_t axes = u.axes | v.axes;
+    const GradientHazard both = worse(u.hazard, v.hazard);
+    if (both > GradientHazard::jump) return hazardous(value, axes, both);
+    if (!h.byFirst.isFinite() || !h.bySecond.isFinite()) return hazardous(value, axes, worse(both, hazard));
+    return chained(u, v, value, h);
+}
+
+/// factor a, which has the value `value`.
+static IntervalGradient scaledTo(const Interval& value, const IntervalGradient& a, double factor) {
     IntervalGradient result = a;
-    // A change of sign is exact.
-    if (std::abs(factor) == 1)
-        result.value = factor < 0 ? -a.value : a.value;
-    else
-        result.value = a.value * Interval::point(factor);
+    result.value = value;
     if (std::abs(factor) != 1) result.angleSteepness = 0;
     if (factor < 0) result.origin = -a.origin;
-    if (result.value.empty()) return undefinedEverywhere();
-    // Nothing is left of a singularity, unless 0 times infinity is undefined.
-    if (factor == 0 && rangeOf(a.value).isFinite() && !a.value.maybeUndefined)
-        return constant(Interval::point(0));
     result.wrap = a.wrap * factor;
     result.cutAt = a.cutAt * factor;
     if (a.hazard > GradientHazard::jump) return result;
@@ -275,6 +282,20 @@ IntervalGradient scaled(const IntervalGradient& a, double factor) {
     return result;
 }
 
+IntervalGradient scaled(const IntervalGradient& a, double factor) {
+    if (!std::isfinite(factor))
+        return hazardous(a.value * Interval::point(factor), a.axes, GradientHazard::overflow);
+    // A change of sign is exact.
+    const Interval value = factor == 1    ? a.value
+                           : factor == -1 ? -a.value
+                                          : a.value * Interval::point(factor);
+    if (value.empty()) return undefinedEverywhere();
+    // Nothing is left of a singularity, unless 0 times infinity is undefined.
+    if (factor == 0 && rangeOf(a.value).isFinite() && !a.value.maybeUndefined)
+        return constant(Interval::point(0));
+    return scaledTo(value, a, factor);
+}
+
 namespace {
 
 /// Whether `wave` is a sine or cosine and `lift` a constant that keeps their sum from being negative.
@@ -286,7 +307,10 @@ bool isWaveAboveZero(const IntervalGradient& lift, const IntervalGradient& wave)
 IntervalGradient moved(const IntervalGradient& a, const Interval& shift) {
     IntervalGradient result = a;
     result.value = a.value + shift;
-    if (result.value.empty()) return undefinedEverywhere();
+    if (result.value.empty()) {
+        result = undefinedEverywhere();
+        return result;
+    }
     result.origin = 0;
     result.angleSteepness = 0;
     result.rootExponent = 0;
@@ -298,22 +322,12 @@ IntervalGradient moved(const IntervalGradient& a, const Interval& shift) {
 
 }  // namespace
 
-IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
-    const bool keepsPowers = a.isSumOfPowers() || b.isSumOfPowers() || a.angleSteepness > 0 ||
-                             b.angleSteepness > 0 || a.sumsExponentials || b.sumsExponentials;
-    if (b.isConstant() && !keepsPowers && a.bounded()) return moved(a, b.value);
-    if (a.isConstant() && !keepsPowers && b.bounded()) return moved(b, a.value);
-    // Two cuts may lie at different places.
-    if (a.wrap != 0 && b.wrap != 0) return sum(resolveWrap(a), resolveWrap(b));
-    if (a.isSumOfPowers() && b.isSumOfPowers() && !sameExponent(a.rootExponent, b.rootExponent))
-        return a.rootExponent > b.rootExponent ? sum(withRootExponent(a, b.rootExponent), b)
-                                               : sum(a, withRootExponent(b, a.rootExponent));
+/// a + b, which has the value `value`, of sums of powers with the same exponent.
+static IntervalGradient summed(const Interval& value, const IntervalGradient& a, const IntervalGradient& b) {
     IntervalGradient result;
-    result.value = a.value + b.value;
-    if (result.value.empty()) return undefinedEverywhere();
+    result.value = value;
     result.axes = a.axes | b.axes;
     result.hazard = worse(a.hazard, b.hazard);
-    if (result.hazard > GradientHazard::jump) return hazardous(result.value, result.axes, result.hazard);
     result.wrap = a.wrap + b.wrap;
     if (result.wrap != 0) {
         const IntervalGradient& other = a.wrap != 0 ? b : a;
@@ -365,6 +379,23 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
     return result;
 }
 
+IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
+    const bool keepsPowers = a.isSumOfPowers() || b.isSumOfPowers() || a.angleSteepness > 0 ||
+                             b.angleSteepness > 0 || a.sumsExponentials || b.sumsExponentials;
+    if (b.isConstant() && !keepsPowers && a.bounded()) return moved(a, b.value);
+    if (a.isConstant() && !keepsPowers && b.bounded()) return moved(b, a.value);
+    // Two cuts may lie at different places.
+    if (a.wrap != 0 && b.wrap != 0) return sum(resolveWrap(a), resolveWrap(b));
+    if (a.isSumOfPowers() && b.isSumOfPowers() && !sameExponent(a.rootExponent, b.rootExponent))
+        return a.rootExponent > b.rootExponent ? sum(withRootExponent(a, b.rootExponent), b)
+                                               : sum(a, withRootExponent(b, a.rootExponent));
+    const Interval value = a.value + b.value;
+    if (value.empty()) return undefinedEverywhere();
+    const GradientHazard both = worse(a.hazard, b.hazard);
+    if (both > GradientHazard::jump) return hazardous(value, a.axes | b.axes, both);
+    return summed(value, a, b);
+}
+
 namespace {
 
 /// a b, where each is a positive multiple of the same value: the square of their geometric mean.
@@ -399,12 +430,12 @@ IntervalGradient product(const IntervalGradient& a, const IntervalGradient& b) {
     return result;
 }
 
-IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, const Interval& value) {
+/// either() without a hazard worse than a jump.
+static IntervalGradient joined(const IntervalGradient& a, const IntervalGradient& b, const Interval& value) {
     IntervalGradient result;
     result.value = value;
     result.axes = a.axes | b.axes;
     result.hazard = worse(a.hazard, b.hazard);
-    if (result.hazard > GradientHazard::jump) return hazardous(value, result.axes, result.hazard);
     for (std::size_t i = 0; i < 3; ++i) result.slope[i] = hull(a.slope[i], b.slope[i]);
     result.steepness = std::max(a.steepness, b.steepness);
     result.pieced = result.axes != 0;
@@ -422,6 +453,12 @@ IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, co
     }
     settle(result);
     return result;
+}
+
+IntervalGradient either(const IntervalGradient& a, const IntervalGradient& b, const Interval& value) {
+    const GradientHazard both = worse(a.hazard, b.hazard);
+    if (both > GradientHazard::jump) return hazardous(value, a.axes | b.axes, both);
+    return joined(a, b, value);
 }
 
 }  // namespace isoscope::gradient_rules

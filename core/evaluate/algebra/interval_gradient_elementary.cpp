@@ -50,16 +50,19 @@ IntervalGradient logarithmOf(const IntervalGradient& u) {
     return result;
 }
 
-/// sin or cos.
-IntervalGradient waveOf(const IntervalGradient& operand, bool isSine) {
-    if (operand.wrap != 0 && !isWhole(operand.wrap, 2 * std::numbers::pi))
-        return acrossCut(operand, !isSine, [&](const IntervalGradient& u) { return waveOf(u, isSine); });
-    const IntervalGradient u = withoutCut(operand);
+/// sin or cos, of an angle without a cut or with one of whole turns.
+IntervalGradient waveWithoutCut(const IntervalGradient& u, bool isSine) {
     const Interval sine = sin(u.value), cosine = cos(u.value);
     IntervalGradient wave = isSine ? chain(u, sine, derivatives(cosine, -sine), GradientHazard::overflow)
                                    : chain(u, cosine, derivatives(-sine, -cosine), GradientHazard::overflow);
     if (wave.hazard <= GradientHazard::jump && !wave.isConstant()) wave.angleSteepness = u.steepness;
     return wave;
+}
+
+IntervalGradient waveOf(const IntervalGradient& u, bool isSine) {
+    // A whole turn is none.
+    if (u.wrap == 0 || isWhole(u.wrap, 2 * std::numbers::pi)) return waveWithoutCut(u, isSine);
+    return acrossCut(u, !isSine, [&](const IntervalGradient& side) { return waveOf(side, isSine); });
 }
 
 /// sin(2 pi u).

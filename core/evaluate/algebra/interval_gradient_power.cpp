@@ -154,6 +154,16 @@ IntervalGradient powerThroughRoot(const IntervalGradient& s, const Interval& val
     return result;
 }
 
+/// The root of what is above 0; `usable`: is a sum of powers whose root is known.
+IntervalGradient rootAboveZero(const IntervalGradient& u, const Interval& root, bool usable) {
+    const Interval half = Interval::point(0.5), minusHalf = Interval::point(-0.5);
+    const Interval first = half / root;
+    IntervalGradient result =
+        chain(u, root, {rangeOf(first), rangeOf(minusHalf * first / u.value)}, GradientHazard::steepEdge);
+    if (usable && result.hazard <= GradientHazard::jump) useRoot(u, 0.5, result);
+    return result;
+}
+
 }  // namespace
 
 IntervalGradient squareRootOf(const IntervalGradient& u) {
@@ -161,16 +171,9 @@ IntervalGradient squareRootOf(const IntervalGradient& u) {
     if (u.isConstant()) return constant(root);
     if (root.empty()) return undefinedEverywhere();
     const bool usable = u.rootExponent >= 2 && u.hazard <= GradientHazard::jump;
-    if (!(u.value.low > 0)) {
-        if (usable) return powerThroughRoot(u, root, 0.5);
-        return hazardous(root, u.axes, worse(u.hazard, GradientHazard::steepEdge));
-    }
-    const Interval half = Interval::point(0.5), minusHalf = Interval::point(-0.5);
-    const Interval first = half / root;
-    IntervalGradient result =
-        chain(u, root, {rangeOf(first), rangeOf(minusHalf * first / u.value)}, GradientHazard::steepEdge);
-    if (usable && result.hazard <= GradientHazard::jump) useRoot(u, 0.5, result);
-    return result;
+    if (u.value.low > 0) return rootAboveZero(u, root, usable);
+    if (usable) return powerThroughRoot(u, root, 0.5);
+    return hazardous(root, u.axes, worse(u.hazard, GradientHazard::steepEdge));
 }
 
 namespace {

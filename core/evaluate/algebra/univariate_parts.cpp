@@ -128,9 +128,9 @@ UnivariateParts::UnivariateParts(const Tape& tape, std::span<const double> unifo
 
 UnivariateParts::~UnivariateParts() = default;
 
-void UnivariateParts::begin(std::span<const IntervalGradient> slots) {
+void UnivariateParts::begin(std::span<const IntervalGradient* const> coordinates) {
     for (Part& part : parts_)
-        if (part.base < firstInstruction) part.from = slots[part.base];
+        if (part.base < coordinates.size()) part.from = *coordinates[part.base];
 }
 
 void UnivariateParts::note(std::size_t instruction, IntervalGradient& result) {

@@ -28,8 +28,8 @@ class UnivariateParts {
     bool empty() const { return parts_.empty(); }
     /// About how many evaluations of the tape all of them cost together, by their instructions.
     std::uint64_t work() const { return work_; }
-    /// Begins a run of the tape over a box: `slots` as they are before the first instruction.
-    void begin(std::span<const IntervalGradient> slots);
+    /// Begins a run of the tape over a box with these coordinates, up to three.
+    void begin(std::span<const IntervalGradient* const> coordinates);
     /// To be called behind each instruction, in their order. Narrows `result` where it ends a part; never
     /// widens it, and leaves what has a hazard or open choices as it is.
     void note(std::size_t instruction, IntervalGradient& result);
