@@ -74,11 +74,11 @@ void NormalParser::parseBody(std::string_view end) {
         if (parseItem()) continue;
         failed_ = true;
         const Token token = tokens_.peek();
-        if (token.kind == TokenKind::end) {
+        if (token.kind == TokenKind::end || token.is("}")) {
             tokens_.expect(end, "to close `normal`");
             return;
         }
-        if (!passUnknownItem(tokens_, "normal", end)) tokens_.next();
+        passUnknownItem(tokens_, "normal", end);
     }
     tokens_.next();
 }

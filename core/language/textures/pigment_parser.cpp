@@ -128,11 +128,11 @@ void PigmentParser::parseBody(std::string_view end) {
         if (parseItem()) continue;
         const Token token = tokens_.peek();
         failed_ = true;
-        if (token.kind == TokenKind::end) {
+        if (token.kind == TokenKind::end || token.is("}")) {
             tokens_.expect(end, "to close `pigment`");
             return;
         }
-        if (!passUnknownItem(tokens_, "pigment", end)) tokens_.next();
+        passUnknownItem(tokens_, "pigment", end);
     }
     tokens_.next();
 }

@@ -259,11 +259,11 @@ void TextureParser::parseBody(Material& material, std::string_view end, std::str
             continue;
         }
         const Token token = tokens_.peek();
-        if (token.kind == TokenKind::end) {
+        if (token.kind == TokenKind::end || token.is("}")) {
             tokens_.expect(end, "to close `" + std::string(keyword) + "`");
             return finishMap(material);
         }
-        if (!passUnknownItem(tokens_, keyword, end)) tokens_.next();
+        passUnknownItem(tokens_, keyword, end);
     }
     tokens_.next();
     order.finish(mapped_ && !mapped_->entries.empty());
