@@ -86,8 +86,10 @@ bool MacroCaller::readArguments(const Token& name, const MacroValue& macro,
         tokens_.accept(")");
         return false;
     }
-    if (behind.is(",")) {
-        tokens_.context().error("argument-count", behind.range,
+    // POV-Ray takes one behind the last argument, too.
+    const SourceRange comma = behind.range;
+    if (tokens_.accept(",") && (wanted == 0 || !tokens_.peek().is(")"))) {
+        tokens_.context().error("argument-count", comma,
                                 "The macro " + signature(macro) + " takes " + std::to_string(wanted) +
                                     (wanted == 1 ? " argument" : " arguments") + "; expected `)` here.");
         for (int depth = 1; depth > 0 && tokens_.peek().kind != TokenKind::end;) {

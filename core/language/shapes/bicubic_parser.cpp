@@ -30,7 +30,7 @@ ShapePointer parseBicubicPatch(ShapeReader& reader) {
             reader.number("accuracy");
         } else if (tokens.accept("uv_vectors")) {
             for (glm::dvec2& corner : corners) corner = reader.pair("uv");
-        } else if (!tokens.accept(",")) {
+        } else {
             break;
         }
     }

@@ -6,6 +6,7 @@
 #include "core/language/functions/function_parser.h"
 #include "core/language/objects/shape_parser.h"
 #include "core/language/objects/shape_reader.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/shapes/isosurface/parametric.h"
 
 namespace isoscope {
@@ -37,7 +38,7 @@ class ParametricReader {
         }
         const SourceRange word = tokens_.lastRange();
         FunctionValue value = FunctionParser(tokens_).parseFormula();
-        tokens_.accept(",");
+        if (tokens_.accept(",") && !tokens_.peek().is("function")) warnOfLastComma(tokens_);
         if (!value.function.valid()) {
             reportLeftOut(tokens_.context(), word,
                           "The parametric surface is not drawn: a function of it was "

@@ -8,6 +8,7 @@
 #include "core/language/expressions/parameter_collector.h"
 #include "core/language/objects/shape_parser.h"
 #include "core/language/objects/shape_reader.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/shapes/solids/poly.h"
 #include "core/shapes/solids/quadric.h"
 
@@ -53,7 +54,7 @@ std::vector<double> parseCoefficients(ShapeReader& reader, int order) {
         if (coefficients.back() != 0 && coefficients.size() <= wanted)
             parameters.addShapeNumbers(reader.keyword(), names[coefficients.size() - 1],
                                        rangeSince(at, tokens));
-        tokens.accept(",");
+        if (tokens.accept(",") && tokens.peek().is(">")) warnOfLastComma(tokens);
     }
     tokens.expect(">", "to close the coefficients");
     if (coefficients.size() != wanted)
