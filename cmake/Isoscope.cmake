@@ -89,8 +89,8 @@ endfunction()
 function(isoscope_copy_by_vectors)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS
-      -mmemcpy-strategy=unrolled_loop:4096:noalign,libcall:-1:noalign
-      -mmemset-strategy=unrolled_loop:4096:noalign,libcall:-1:noalign)
+      -mmemcpy-strategy=vector_loop:4096:noalign,libcall:-1:noalign
+      -mmemset-strategy=vector_loop:4096:noalign,libcall:-1:noalign)
     set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
   endif()
 endfunction()

@@ -76,7 +76,7 @@ int ShapeReader::count(const std::string& name, int least, int most) {
     const SourceRange start = tokens_.peek().range;
     const double value = ExpressionParser(tokens_).parseFloat();
     range_ = rangeSince(start, tokens_);
-    parseComma();
+    tokens_.accept(",");
     if (value >= least && value <= most) return static_cast<int>(value);
     fail(range_, "The " + name + " of `" + keyword() + "` must be " + std::to_string(least) + " to " +
                      std::to_string(most) + ".");

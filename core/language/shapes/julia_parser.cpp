@@ -4,6 +4,7 @@
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/objects/shape_parser.h"
 #include "core/language/objects/shape_reader.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/shapes/isosurface/julia_fractal.h"
 
 namespace isoscope {
@@ -58,6 +59,7 @@ bool parseItem(ShapeReader& reader, JuliaSettings& settings) {
     } else if (tokens.accept("max_iteration")) {
         constexpr int iterationLimit = 10'000;
         settings.maxIteration = reader.count("max_iteration", 1, iterationLimit);
+        warnOfLastComma(tokens);
     } else if (tokens.accept("precision")) {
         settings.precision = reader.number("precision");
     } else if (tokens.accept("slice")) {
