@@ -6,6 +6,7 @@
 
 #include "core/language/expressions/expression_functions.h"
 #include "core/language/expressions/object_queries.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/words.h"
 
 namespace isoscope {
@@ -94,6 +95,7 @@ std::optional<std::vector<Operand>> FunctionCaller::arguments(const Token& name,
         }
         // POV-Ray forgives missing commas.
         if (!tokens_.accept(",") && !expressions_.atExpression()) break;
+        if (tokens_.peek().is(")")) warnOfLastComma(tokens_);
     }
     if (read.size() < arity.least && expressions_.reportBareComparison()) {
         skipArguments();
