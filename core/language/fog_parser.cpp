@@ -8,7 +8,7 @@
 #include "core/language/objects/transform_parser.h"
 #include "core/language/scene_draft.h"
 #include "core/language/statement_description.h"
-#include "core/language/textures/pigment_parser.h"
+#include "core/language/textures/color_start.h"
 #include "core/language/tokens/block_words.h"
 #include "core/language/tokens/unknown_name.h"
 
@@ -68,8 +68,8 @@ bool FogParser::parseItem() {
     } else if (tokens_.accept("octaves")) {
         const double octaves = expressions.parseFloat();
         fog_.octaves = octaves >= 10 ? 10 : octaves >= 1 ? static_cast<int>(octaves) : 1;
-    } else if (PigmentParser colors(tokens_); colors.atColor()) {
-        colors.warnOfBareVector();
+    } else if (atColor(tokens_)) {
+        warnOfBareVector(tokens_);
         fog_.color = expressions.parseColor();
     } else {
         return parseNumberItem();

@@ -178,9 +178,10 @@ IntervalGradient resolveWrap(const IntervalGradient& a) {
 }
 
 // Results are large. A function with one result of its own, returned everywhere, makes it where the caller
-// wants it, without a copy; so those with other ends leave making it to one of these.
+// wants it, without a copy; so those with other ends leave making it to another one.
 namespace {
 
+/// chain() where nothing is wrong: the slopes of h are finite, and u has no hazard worse than a jump.
 IntervalGradient chained(const IntervalGradient& u, const Interval& value, const Derivatives& h) {
     IntervalGradient result;
     result.value = value;
@@ -322,7 +323,8 @@ IntervalGradient moved(const IntervalGradient& a, const Interval& shift) {
 
 }  // namespace
 
-/// a + b, which has the value `value`, of sums of powers with the same exponent.
+/// a + b, which has the value `value`, without a hazard worse than a jump; where both are sums of powers, of
+/// the same exponent.
 static IntervalGradient summed(const Interval& value, const IntervalGradient& a, const IntervalGradient& b) {
     IntervalGradient result;
     result.value = value;

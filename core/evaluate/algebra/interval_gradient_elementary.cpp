@@ -59,6 +59,7 @@ IntervalGradient waveWithoutCut(const IntervalGradient& u, bool isSine) {
     return wave;
 }
 
+/// sin or cos.
 IntervalGradient waveOf(const IntervalGradient& u, bool isSine) {
     // A whole turn is none.
     if (u.wrap == 0 || isWhole(u.wrap, 2 * std::numbers::pi)) return waveWithoutCut(u, isSine);

@@ -86,7 +86,7 @@ bool MacroCaller::readArguments(const Token& name, const MacroValue& macro,
         tokens_.accept(")");
         return false;
     }
-    // POV-Ray takes one behind the last argument, too.
+    // POV-Ray takes a comma behind the last argument, too.
     const SourceRange comma = behind.range;
     if (tokens_.accept(",") && (wanted == 0 || !tokens_.peek().is(")"))) {
         tokens_.context().error("argument-count", comma,

@@ -36,8 +36,8 @@ std::optional<CsgOperation> csgOperation(std::string_view word) {
 /// Flags that change nothing here, and the objects of which POV-Ray takes them.
 struct FlagOfSome {
     std::string_view word;
-    std::array<std::string_view, 9> keywords;
-    bool wantsValue = false;
+    std::array<std::string_view, 9> keywords;  ///< of the objects
+    bool wantsValue = false;                   ///< whether it must not stand alone
 };
 constexpr std::array<FlagOfSome, 3> flagsOfSome{
     {{"sturm", {"blob", "torus", "lathe", "prism", "sor", "cubic", "quartic", "poly", "polynomial"}},

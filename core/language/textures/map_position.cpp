@@ -2,7 +2,7 @@
 #include "core/language/textures/map_position.h"
 
 #include "core/language/expressions/expression_parser.h"
-#include "core/language/textures/pigment_parser.h"
+#include "core/language/textures/color_start.h"
 #include "core/language/tokens/povray_refusals.h"
 
 namespace isoscope {
@@ -10,7 +10,7 @@ namespace isoscope {
 double parseMapPosition(TokenStream& tokens, bool isAverage) {
     ExpressionParser expressions(tokens);
     double position = 1;
-    const bool isColor = PigmentParser(tokens).atColor();
+    const bool isColor = atColor(tokens);
     if (expressions.atExpression() && !isColor)
         position = expressions.parseFloat();
     else if (!isAverage || isColor)

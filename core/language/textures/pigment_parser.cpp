@@ -8,6 +8,7 @@
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/image_map_parser.h"
+#include "core/language/textures/color_start.h"
 #include "core/language/textures/map_position.h"
 #include "core/language/textures/warp_parser.h"
 #include "core/language/tokens/nesting_guard.h"
@@ -16,11 +17,6 @@
 namespace isoscope {
 
 namespace {
-
-template <std::size_t count>
-bool isOneOf(std::string_view word, const std::array<std::string_view, count>& words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 const MappedPigment* mappedOf(const Pigment& pigment) {
     const auto* mapped = std::get_if<std::shared_ptr<const MappedPigment>>(&pigment);
@@ -67,7 +63,7 @@ Pigment moved(const Pigment& pigment, const Transform& transform) {
 bool PigmentParser::isMap(std::string_view word) {
     static constexpr std::array<std::string_view, 4> maps{"color_map", "colour_map", "pigment_map",
                                                           "density_map"};
-    return isOneOf(word, maps);
+    return std::ranges::find(maps, word) != maps.end();
 }
 
 void PigmentParser::start(const Pigment& pigment) {
@@ -210,32 +206,6 @@ bool PigmentParser::parseOpenList() {
     return true;
 }
 
-bool PigmentParser::atColor() {
-    static constexpr std::array<std::string_view, 13> words{"color", "colour", "rgb",   "rgbf",  "rgbt",
-                                                            "rgbft", "srgb",   "srgbf", "srgbt", "srgbft",
-                                                            "red",   "green",  "blue"};
-    const Token& token = tokens_.peek();
-    if (token.is("<")) return true;
-    if (token.kind != TokenKind::word) return false;
-    if (isOneOf(token.text, words)) return true;
-    const Value* value = tokens_.context().symbols.find(token.text);
-    if (!value) return false;
-    const auto isVector = [](const Value& v) { return std::holds_alternative<VectorValue>(v.data); };
-    const auto* array = std::get_if<std::shared_ptr<ArrayValue>>(&value->data);
-    return isVector(*value) ||
-           (array && *array && std::any_of((*array)->elements.begin(), (*array)->elements.end(), isVector));
-}
-
-/// A vector alone is no colour in POV-Ray; a declared colour is one.
-void PigmentParser::warnOfBareVector() {
-    const Token token = tokens_.peek();
-    const Value* value = token.kind == TokenKind::word ? tokens_.context().symbols.find(token.text) : nullptr;
-    const auto* vector = value ? std::get_if<VectorValue>(&value->data) : nullptr;
-    constexpr int colorComponents = 5;
-    if (token.is("<") || (vector && vector->count < colorComponents))
-        warnOfMissing(tokens_.context(), token.range, "wants `rgb` in front of a vector as a colour.", "rgb");
-}
-
 bool PigmentParser::parseColorSetting() {
     if (tokens_.accept("quick_color") || tokens_.accept("quick_colour")) {
         ExpressionParser(tokens_).parseColor();
@@ -252,8 +222,8 @@ bool PigmentParser::parseColorSetting() {
 }
 
 bool PigmentParser::parseColor() {
-    if (isList() || !atColor()) return false;
-    warnOfBareVector();
+    if (isList() || !atColor(tokens_)) return false;
+    warnOfBareVector(tokens_);
     mapped_.reset();
     leftOut_.clear();
     solid_ = {ExpressionParser(tokens_).parseColor(), {}};
@@ -271,7 +241,7 @@ bool PigmentParser::parseListItem() {
         tokens_.accept(",");
     };
     // As in POV-Ray, numbers are greys here.
-    if (atColor() || tokens_.peek().kind == TokenKind::number) {
+    if (atColor(tokens_) || tokens_.peek().kind == TokenKind::number) {
         add(SolidPigment{ExpressionParser(tokens_).parseColor(), {}});
         return true;
     }
@@ -300,7 +270,7 @@ bool PigmentParser::parseOther() {
     }
     if (tokens_.accept("uv_mapping")) {
         ExpressionParser expressions(tokens_);
-        onSurface_ = atColor() || expressions.parseBareFlag("uv_mapping");
+        onSurface_ = atColor(tokens_) || expressions.parseBareFlag("uv_mapping");
         return true;
     }
     return reader_.parseModifier();
@@ -361,7 +331,7 @@ bool PigmentParser::parseMapEntry(bool colors) {
 /// `color]`, or of the old form `position color color]`.
 void PigmentParser::parseColorEntry() {
     ExpressionParser expressions(tokens_);
-    if (!atColor() && tokens_.peek().kind == TokenKind::number) {
+    if (!atColor(tokens_) && tokens_.peek().kind == TokenKind::number) {
         const SourceRange range = tokens_.peek().range;
         const std::optional<Value> value = expressions.parseValue();
         if (const auto* end = value ? std::get_if<NumberValue>(&value->data) : nullptr) {
@@ -377,7 +347,7 @@ void PigmentParser::parseColorEntry() {
             failed_ = true;
         }
     } else {
-        warnOfBareVector();
+        warnOfBareVector(tokens_);
         mapped_->entries.back().pigment = SolidPigment{expressions.parseColor(), {}};
     }
     if (tokens_.expect("]", "to close the entry of the colour map")) return;

@@ -28,10 +28,6 @@ class PigmentParser {
 
     /// Whether the word begins a map of pigments or colours.
     static bool isMap(std::string_view word);
-    /// Whether a colour comes next, or a vector, which may be meant as one.
-    bool atColor();
-    /// Warns of a vector where a colour stands: POV-Ray takes none there.
-    void warnOfBareVector();
 
   private:
     void start(const Pigment& pigment);

@@ -25,7 +25,7 @@ void warnOfMissing(ParseContext& context, const SourceRange& range, const std::s
 void warnOfLateItem(TokenStream& tokens, const SourceRange& first, const Token& item,
                     const std::string& wants);
 
-/// Warns of the token taken last, if that is a comma with no further number behind it.
+/// Warns of the token taken last, if that is a comma: to be called where POV-Ray takes none.
 void warnOfLastComma(TokenStream& tokens);
 
 /// Warns of the name of a declared `kind`, "texture", that stands behind other items.
