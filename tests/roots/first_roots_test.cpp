@@ -2,6 +2,7 @@
 #include "core/roots/first_roots.h"
 
 #include <QTest>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -106,6 +107,7 @@ class FirstRootsTest : public QObject {
                 }
             }
         QVERIFY(hits > 5000);
+        QVERIFY2(folds_ < hits / 2000, qPrintable(QString("%1 of %2 at folds").arg(folds_).arg(hits)));
     }
 
     /// max(2, noise) is 2 everywhere: what is left of the tape is a constant, without lanes.
@@ -184,8 +186,11 @@ class FirstRootsTest : public QObject {
 
     /// What POV-Ray shows of the faces of a jump depends on where its halving ends.
     void jumpsHaveTheNormalsOfPovray() {
-        const auto stairs = tapeOf(
-            [](auto x, auto y, auto z) { return floor(x * 3) + floor(y * 3) + floor(z * 3 + 0.4) + 0.5; });
+        const auto height = [](auto x, auto y, auto z) {
+            using std::floor;
+            return floor(x * 3) + floor(y * 3) + floor(z * 3 + 0.4) + 0.5;
+        };
+        const auto stairs = tapeOf(height);
         std::mt19937_64 random(seed);
         RootSettings settings;
         settings.open = true;
@@ -195,7 +200,8 @@ class FirstRootsTest : public QObject {
         LipschitzRootFinder povray(std::make_unique<TapeField>(stairs, std::span<const double>()), settings);
         std::size_t jumps = 0, apart = 0;
         for (int view = 0; view < 8; ++view) {
-            const LineTable table(test::neighbourLines(random, 0.4));
+            const std::vector<LineQuery> lines = test::neighbourLines(random, 0.4);
+            const LineTable table(lines);
             FirstRoots here, there;
             certified.findFirst(table.columns(), {0, false, {}}, here);
             povray.findFirst(table.columns(), {0, false, {}}, there);
@@ -204,7 +210,16 @@ class FirstRootsTest : public QObject {
                 if (answer.root.kind != RootKind::jump) continue;
                 ++jumps;
                 const auto other = wanted.find(line);
-                QVERIFY(other != wanted.end());
+                if (other == wanted.end()) {
+                    // Through an edge of a stair, thinner than the accuracy: POV-Ray may pass over it.
+                    const LineQuery& query = lines[line];
+                    const auto sign = [&](double t) {
+                        const glm::dvec3 point = query.origin + t * query.direction;
+                        return height(point.x, point.y, point.z) > 0;
+                    };
+                    QCOMPARE(sign(answer.root.t + settings.accuracy), sign(answer.root.t - 1e-9));
+                    continue;
+                }
                 apart += other->second.normal != answer.normal;
             }
         }
@@ -278,20 +293,54 @@ class FirstRootsTest : public QObject {
             const auto wanted = std::find_if(alone.begin(), alone.end(),
                                              [&](const Root& root) { return root.t >= sufficient; });
             const auto found = answers.find(i);
+            const bool narrow = jumps && finder.verdicts()[0] == Verdict::gap && found != answers.end() &&
+                                isNarrow(finder, lines[i], found->second.root.t);
+            if (narrow) continue;
             const bool both = found != answers.end() && wanted != alone.end();
             if (!both) {
                 if (found != answers.end() || wanted != alone.end()) QTest::qFail(place, __FILE__, __LINE__);
                 continue;
             }
             const Root& root = found->second.root;
-            if (std::abs(root.t - wanted->t) > 1e-7 || (!jumps && root.kind != wanted->kind))
-                QTest::qFail(place, __FILE__, __LINE__);
+            if (root.t < sufficient) QTest::qFail(place, __FILE__, __LINE__);
+            // Where a polish begins may be on the other side of a fold.
+            bool agree = std::abs(root.t - wanted->t) <= leftover;
+            if (root.kind == RootKind::crossing)
+                agree = agree && hasItsNormal(finder, lines[i], found->second, folded ? 1e-3 : 1e-6);
+            if (!agree && isFolded(finder, lines[i], root.t)) {
+                ++folds_;
+                agree = std::abs(root.t - wanted->t) <= reach;
+            }
+            if (!agree || (!jumps && root.kind != wanted->kind)) QTest::qFail(place, __FILE__, __LINE__);
             if (!jumps && !hitVerdictsAgree(verdicts[i], finder.verdicts()[0]))
                 QTest::qFail(place, __FILE__, __LINE__);
-            if (root.kind == RootKind::crossing)
-                compareNormals(finder, lines[i], found->second, folded ? 1e-3 : 1e-6, place);
         }
         return answers.size();
+    }
+
+    /// What the polish may leave open of a root (TangentPolish, NewtonPolish), and how far its last step may
+    /// lead.
+    static constexpr double accuracy = 1e-3;
+    static constexpr double leftover = (TangentPolish::leftover + NewtonPolish::leftover) * accuracy;
+    static constexpr double reach = NewtonPolish::longestStep * accuracy;
+
+    /// Whether the surface turns within the accuracy: steps may begin on the other side of a fold.
+    static bool isFolded(CertifiedRootFinder& finder, const LineQuery& line, double t) {
+        const glm::dvec3 point = line.origin + t * line.direction;
+        const glm::dvec3 way = accuracy * glm::normalize(line.direction);
+        const std::array points{point - way, point + way};
+        std::array<glm::dvec3, 2> normals;
+        finder.normals(points, normals);
+        constexpr double turn = 0.5 * TangentPolish::turn * TangentPolish::turn;
+        return !(glm::dot(glm::normalize(normals[0]), glm::normalize(normals[1])) > 1 - turn);
+    }
+
+    /// Whether the function soon has its sign again: so soon that it may count as a gap.
+    static bool isNarrow(CertifiedRootFinder& finder, const LineQuery& line, double t) {
+        const auto isPositive = [&](double at) {
+            return finder.value(line.origin + at * line.direction) > 0;
+        };
+        return isPositive(t - accuracy / 100) == isPositive(t + accuracy / 100);
     }
 
     /// A root before what is asked for makes a hit of a line that has none after it.
@@ -299,15 +348,16 @@ class FirstRootsTest : public QObject {
         return together == alone || (together <= Verdict::certifiedMiss && alone <= Verdict::certifiedMiss);
     }
 
-    static void compareNormals(CertifiedRootFinder& finder, const LineQuery& line, const Answer& answer,
-                               double turn, const QByteArray& place) {
+    static bool hasItsNormal(CertifiedRootFinder& finder, const LineQuery& line, const Answer& answer,
+                             double turn) {
         const glm::dvec3 point = line.origin + answer.root.t * line.direction;
         glm::dvec3 normal;
         finder.normals({&point, 1}, {&normal, 1});
-        const double cosine =
-            glm::dot(normal, answer.normal) / (glm::length(normal) * glm::length(answer.normal));
-        if (!(cosine > 1 - turn)) QTest::qFail(place, __FILE__, __LINE__);
+        return glm::dot(normal, answer.normal) >
+               (1 - turn) * glm::length(normal) * glm::length(answer.normal);
     }
+
+    std::size_t folds_ = 0;
 };
 
 QTEST_APPLESS_MAIN(FirstRootsTest)

@@ -185,9 +185,9 @@ void takeEnded(const MarchStep<true>& step, Mask ended, const PlainMarchRules& r
                          HWY_ATTR { return hn::Eq(step.events, constant(static_cast<double>(event))); };
     double* const numbers = rows.state[March::line] + k;
     const Vector lines = load(numbers);
-    const Vector middle = hn::Mul(constant(0.5), hn::Add(step.low, step.high));
+    // Where the root is in its interval the polish will tell: the whole of it has to count.
     const Mask counts =
-        hn::And(ended, hn::And(was(MarchEvent::crossing), hn::Ge(middle, constant(rules.sufficient))));
+        hn::And(ended, hn::And(was(MarchEvent::crossing), hn::Ge(step.low, constant(rules.sufficient))));
     if (!hn::AllFalse(MarchTag(), counts)) appendCrossings(step, counts, rows, k, results.crossings);
     const Mask brackets = hn::And(ended, was(MarchEvent::bracket));
     if (!hn::AllFalse(MarchTag(), brackets)) appendBrackets(step, brackets, rows, k, results.brackets);
