@@ -165,11 +165,15 @@ Interval log10(const Interval& a) {
     return rising(restrict(a, 0, infinite), [](double x) { return std::log10(x); });
 }
 
+/// A sine or cosine of nobody knows what. Infinity, which numbers too large become, has none.
+static Interval anyWave(const Interval& a) {
+    return {-1, 1, a.maybeUndefined || std::isinf(a.low) || std::isinf(a.high)};
+}
+
 Interval sin(const Interval& a) {
     if (a.empty()) return a;
     constexpr double period = 2 * std::numbers::pi;
-    if (!(a.width() < period) || std::max(std::abs(a.low), std::abs(a.high)) > 1e9)
-        return {-1, 1, a.maybeUndefined};
+    if (!(a.width() < period) || std::max(std::abs(a.low), std::abs(a.high)) > 1e9) return anyWave(a);
     const double first = std::sin(a.low), second = std::sin(a.high);
     const bool top = mayHold(a.low, a.high, period / 4, period);
     const bool bottom = mayHold(a.low, a.high, -period / 4, period);
@@ -181,8 +185,7 @@ Interval sin(const Interval& a) {
 Interval cos(const Interval& a) {
     if (a.empty()) return a;
     constexpr double period = 2 * std::numbers::pi;
-    if (!(a.width() < period) || std::max(std::abs(a.low), std::abs(a.high)) > 1e9)
-        return {-1, 1, a.maybeUndefined};
+    if (!(a.width() < period) || std::max(std::abs(a.low), std::abs(a.high)) > 1e9) return anyWave(a);
     const double first = std::cos(a.low), second = std::cos(a.high);
     const bool top = mayHold(a.low, a.high, 0, period);
     const bool bottom = mayHold(a.low, a.high, period / 2, period);
@@ -252,10 +255,12 @@ Interval pow(const Interval& base, const Interval& exponent) {
         exponent.isPoint() && std::floor(exponent.low) == exponent.low && std::isfinite(exponent.low);
     if (whole) return powByWholeNumber(base, exponent.low);
     if (base.low > 0) return exp(exponent * log(base));
-    // A negative base has powers for whole exponents only.
+    // Infinite exponents have powers of negative bases, 0 or infinity, and so has the base that numbers too
+    // large become.
+    if (base.low < 0 && (std::isinf(exponent.low) || std::isinf(base.low))) return Interval::unknown();
+    // Other negative bases have powers for whole exponents only.
+    if (base.high < 0 && exponent.isPoint()) return Interval::undefined();
     if (!(exponent.low > 0) || (base.low < 0 && !exponent.isPoint())) return Interval::unknown();
-    // Or for infinity: 0 or infinity.
-    if (base.low < 0 && std::isinf(exponent.low)) return Interval::unknown();
     const Interval part = restrict(base, 0, infinite);
     if (part.empty()) return part;
     const double top = std::max(std::pow(part.high, exponent.low), std::pow(part.high, exponent.high));

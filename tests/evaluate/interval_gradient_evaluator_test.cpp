@@ -249,6 +249,28 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY(evaluator.evaluate(place).value.holds(1));
     }
 
+    /// A logarithm of 0 and a quotient by 0 are infinite, and so no number, but comparisons and angles of
+    /// them have values: they seemed to have none, and what was made of them to be the same everywhere.
+    void whatIsInfiniteSomewhereIsNoConstant() {
+        const Box box{unit, Interval{-1.5, 0.25, false}, unit};
+        const auto steps = [](auto y) { return apply(Operation::truncate, y); };
+        const IntervalGradient compared = over(
+            [&](auto, auto y, auto) {
+                return apply(Operation::less, apply(Operation::naturalLogarithm, steps(y)), y.number(1));
+            },
+            box);
+        QVERIFY(compared.value.holds(0) && compared.value.holds(1) && !compared.bounded());
+        const IntervalGradient turned =
+            over([&](auto x, auto, auto) { return apply(Operation::arcTangent, x / x.number(0)); },
+                 {Interval{0.5, 1, false}, unit, unit});
+        QVERIFY(turned.value.holds(std::numbers::pi / 2));
+        // A sine of infinity has no value: max() takes the other side.
+        const IntervalGradient chosen = over(
+            [](auto x, auto, auto) { return max(x.number(-2), sin(x * x.number(1e300) * x.number(1e300))); },
+            {Interval{0.5, 1, false}, unit, unit});
+        QVERIFY(chosen.value.holds(-2));
+    }
+
     void noiseStaysWithinItsBounds() {
         using enum Operation;
         const Operation noisy[] = {noise, noiseGradientX, noiseGradientY, noiseGradientZ, add, multiply,

@@ -64,6 +64,24 @@ struct Checks {
     int finer = 0;  ///< boxes of which UnivariateParts know more
 };
 
+/// Whether a gradient is not that of the function, by differences over a millionth: the evaluator at points
+/// cuts off slopes beyond a limit wherever they come up, and follows operands that have no value.
+inline bool isCutOff(ReferenceEvaluator& reference, const ValueAndGradient& found, const Point& p) {
+    constexpr double step = 1e-6, part = 0.01, largest = 1e6;
+    if (std::abs(found.value) > largest) return true;
+    for (std::size_t i = 0; i < 3; ++i) {
+        Point before = p, behind = p;
+        before[i] -= step;
+        behind[i] += step;
+        const double slope =
+            (reference.evaluate(behind, parameters) - reference.evaluate(before, parameters)) / (2 * step);
+        if (std::abs(slope - found.gradient[i]) >
+            part * (std::abs(slope) + std::abs(found.gradient[i])) + 1e-3)
+            return true;
+    }
+    return false;
+}
+
 /// Empty when `answer` holds for the function at the two points, else what does not.
 inline QString contradiction(const IntervalGradient& answer, ReferenceEvaluator& reference,
                              GradientEvaluator& gradient, const Point& p, const Point& q, Checks& checks) {
@@ -84,18 +102,25 @@ inline QString contradiction(const IntervalGradient& answer, ReferenceEvaluator&
     const ValueAndGradient gp = gradient.evaluate(p[0], p[1], p[2]), gq = gradient.evaluate(q[0], q[1], q[2]);
     const auto& a = gp.gradient;
     const double slack = 1e-9 * (1 + answer.steepness);
-    // The evaluator at points cuts slopes off.
     if (answer.steepness >= GradientEvaluator::steepest) return {};
+    if (isCutOff(reference, gp, p) || isCutOff(reference, gq, q)) return {};
     ++checks.slopes;
-    if (std::hypot(a[0], a[1], a[2]) > answer.steepness + slack) return "length";
+    if (std::hypot(a[0], a[1], a[2]) > answer.steepness + slack)
+        return QString("length (%1, %2)").arg(std::hypot(a[0], a[1], a[2])).arg(answer.steepness);
     for (int i = 0; i < 3; ++i)
-        if (!(a[i] >= answer.slope[i].low - slack && a[i] <= answer.slope[i].high + slack)) return "slope";
+        if (!(a[i] >= answer.slope[i].low - slack && a[i] <= answer.slope[i].high + slack))
+            return QString("slope (%1, %2 to %3)")
+                .arg(a[i])
+                .arg(answer.slope[i].low)
+                .arg(answer.slope[i].high);
     if (!answer.smooth || answer.pieced) return {};
     ++checks.bends;
+    // Gradient noise rounds its coordinates at a distance of 10^7.
+    constexpr double rounded = 4e-9;
     for (int i = 0; i < 3; ++i) {
         double most = slack;
         for (int j = 0; j < 3; ++j)
-            most += answer.bend[bendIndex(i, j)].size() * std::abs(p[j] - q[j]) * (1 + 1e-9);
+            most += answer.bend[bendIndex(i, j)].size() * (std::abs(p[j] - q[j]) * (1 + 1e-9) + rounded);
         if (std::abs(a[i] - gq.gradient[i]) > most)
             return QString("bend (%1 by %2)").arg(std::abs(a[i] - gq.gradient[i])).arg(most);
     }

@@ -258,7 +258,8 @@ class IntervalAlgebra {
         const Vector troughValue = hn::Min(one, hn::Sub(error, hn::Min(high, low)));
         const Number result{hn::IfThenElse(top, one, crestValue), hn::IfThenElse(bottom, one, troughValue),
                             p.doubt};
-        const Number all{one, one, p.doubt};
+        // Infinity, which numbers too large become, has none.
+        const Number all{one, one, hn::IfThenElse(isBounded(p), p.doubt, inDoubt())};
         return chooseInterval(usable, result, chooseInterval(isEmpty(p), p, all));
     }
     /// Whether some `offset` + k periods may lie between both.

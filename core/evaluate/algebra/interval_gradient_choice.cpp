@@ -116,10 +116,13 @@ IntervalGradient marginOf(Operation operation, Operands operands, bool second) {
     const IntervalGradient a = resolveWrap(*operands[0]);
     const bool isOwn = operation == Operation::absolute || isSelect(operation);
     const IntervalGradient b = resolveWrap(*operands[isOwn ? 0 : 1]);
-    if (mayJump(a, b)) return hazardous(Interval::unknown(), a.axes | b.axes, GradientHazard::unknown);
+    const IntervalGradient unknown = hazardous(Interval::unknown(), a.axes | b.axes, GradientHazard::unknown);
+    if (mayJump(a, b)) return unknown;
     if (operation == Operation::absolute) return second ? scaled(a, -1) : a;
     if (isSelect(operation)) return second ? a : scaled(a, -1);
     const IntervalGradient difference = sum(b, scaled(a, -1));
+    // Both are infinite: nothing is excluded.
+    if (difference.value.empty()) return unknown;
     return (operation == Operation::minimum) != second ? difference : scaled(difference, -1);
 }
 

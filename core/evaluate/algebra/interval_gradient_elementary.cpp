@@ -42,7 +42,7 @@ IntervalGradient absoluteOf(const IntervalGradient& u) {
 
 IntervalGradient logarithmOf(const IntervalGradient& u) {
     const Interval value = log(u.value);
-    if (!u.isConstant() && u.value.high <= 0 && !u.value.empty()) return undefinedEverywhere();
+    // At 0 it is -infinity, which comparisons take for a number.
     if (!(u.value.low > 0)) return chain(u, value, {SlopeRange::within(unlimited)}, GradientHazard::pole);
     const Interval inverse = one / u.value;
     IntervalGradient result = chain(u, value, derivatives(inverse, -square(inverse)), GradientHazard::pole);
@@ -241,7 +241,6 @@ IntervalGradient quotient(const IntervalGradient& a, const IntervalGradient& b) 
     const std::uint8_t axes = a.axes | b.axes;
     if (axes == 0) return constant(value);
     if (a.value.empty() || b.value.empty()) return undefinedEverywhere();
-    if (b.isConstant() && b.value.low == 0 && b.value.high == 0) return undefinedEverywhere();
     if (b.value.low <= 0 && b.value.high >= 0) return hazardous(value, axes, GradientHazard::pole);
     const Interval inverse = one / b.value, inverse2 = square(inverse);
     const Interval slope = -(value * inverse);

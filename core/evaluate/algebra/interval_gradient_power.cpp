@@ -210,7 +210,7 @@ IntervalGradient powerOfAny(const IntervalGradient& u, double n) {
     if (!std::isfinite(n)) return hazardous(value, u.axes, GradientHazard::unknown);
     const bool whole = std::floor(n) == n;
     if (whole && n > 2 && n <= 1e6) return wholePowerOf(u, n);
-    if (!whole && u.value.high < 0) return undefinedEverywhere();
+    if (value.empty()) return undefinedEverywhere();
     const auto power = [&](double e) { return pow(u.value, Interval::point(e)); };
     const bool usable = u.hazard <= GradientHazard::jump && n > 0 && u.rootExponent * n >= 1 - 1e-14;
     if (u.value.low > 0 || (whole && u.value.high < 0)) {
