@@ -76,7 +76,9 @@ class AffineSidesTest : public QObject {
         std::mt19937_64 random(seed);
         RandomFunctionSettings settings = jumpingOperations();
         double beforeJumps = 0, besideOpenSides = 0;
-        for (int graph = 0; graph < 150; ++graph) {
+        // Until enough of them were met: graphs of some seeds have few.
+        const auto some = [&] { return beforeJumps > 1000 && besideOpenSides > 1000; };
+        for (int graph = 0; graph < 150 || (!some() && graph < 1500); ++graph) {
             settings.nodes = 2 + static_cast<int>(random() % 12);
             Function function = randomFunction(random, settings);
             function.results.resize(1);
@@ -104,8 +106,7 @@ class AffineSidesTest : public QObject {
                 }
             }
         }
-        QVERIFY(beforeJumps > 1000);
-        QVERIFY(besideOpenSides > 1000);
+        QVERIFY(some());
     }
 
     /// From 0.25 to 1.25 the floor of 2 x jumps at 0.5 first, and at 1 next.
