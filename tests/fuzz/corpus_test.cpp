@@ -76,5 +76,11 @@ class CorpusTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(CorpusTest)
+int main(int argc, char** argv) {
+    // QtTest takes for hanging what is not done after five minutes.
+    const qulonglong seconds = qgetenv("ISOSCOPE_FUZZ_SECONDS").toULongLong();
+    if (seconds > 0) qputenv("QTEST_FUNCTION_TIMEOUT", QByteArray::number(1000 * (seconds + 300)));
+    CorpusTest test;
+    return QTest::qExec(&test, argc, argv);
+}
 #include "corpus_test.moc"
