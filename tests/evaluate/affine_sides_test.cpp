@@ -169,6 +169,20 @@ class AffineSidesTest : public QObject {
         QVERIFY(sides.crowded[0] != 0);
     }
 
+    /// One that is known exactly may be the first, or the one in whose zone it lies.
+    void aJumpWithinTheZoneOfAnotherIsCrowded() {
+        AffineEvaluator evaluator(tapeOf([](auto x, auto, auto) {
+                                      return select(sq(x) - 1, x.number(-1), x) + floor(4 * x + 0.02);
+                                  }),
+                                  {});
+        SideLanes sides;
+        readAt(-1, sides);
+        sides.grain.fill(1e-15);
+        evaluator.evaluateSides(alongX(0.8, 0.3).columns(), batchLanes, sides);
+        QVERIFY(sides.high[0] - sides.low[0] > 1e-3);
+        QVERIFY(sides.crowded[0] != 0);
+    }
+
     /// Several selects by one condition are one jump.
     void oneConditionIsOneJump() {
         AffineEvaluator evaluator(tapeOf([](auto x, auto y, auto) {

@@ -138,6 +138,25 @@ class StepFunctionsTest : public QObject {
         QVERIFY(hits > all / 20);
     }
 
+    /// Of jumps of which one is known to lie in a stretch and the other one exactly, within it, the first is
+    /// not known: the second was taken for it, and the root between both was passed.
+    void theFirstOfJumpsThatOverlapIsFound() {
+        const auto tape = tapeOf([](auto, auto, auto z) { return toInt(mod(z.number(306.645658), z)); });
+        const double start = 2.2598499865677155, slope = 0.9760719114404689;
+        const LineQuery line{{0, 0, start}, {0, std::sqrt(1 - slope * slope), slope}, 0, 3.4616655748543401};
+        CertifiedRootFinder finder(tape, {}, openSettings());
+        RootRequest request;
+        request.sufficient = 0;
+        const LineTable lines(std::vector<LineQuery>{line});
+        FirstRoots found;
+        finder.findFirst(lines.columns(), request, found);
+        QCOMPARE(found.others.size(), std::size_t(1));
+        // From 1 to 0, before it becomes 2.
+        const double place = ((306.645658 - 1) / 135 - start) / slope;
+        QVERIFY(std::abs(found.others[0].root.t - place) < 1e-9);
+        QCOMPARE(finder.verdicts()[0], Verdict::certifiedHit);
+    }
+
     /// Checks and stripes as people write them. Where a step is a whole number, mod, int and div of it were
     /// taken for a jump at that very place, and no line was proven.
     void stepsOfStepsAreProven_data() {

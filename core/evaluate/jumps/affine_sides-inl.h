@@ -118,17 +118,19 @@ class AffineSideAlgebra : public AffineWholeAlgebra {
         const Vector low = hn::IfThenElse(ends, hn::Max(hn::Sub(middle, width), readAt), beyond);
         const Vector high = hn::IfThenElse(ends, hn::Min(hn::Add(middle, width), one), beyond);
         const Vector oldLow = lanesOf(sides_->low, lane), oldHigh = lanesOf(sides_->high, lane);
-        const Vector common = hn::Sub(hn::Min(high, oldHigh), hn::Max(low, oldLow));
-        const Mask together = hn::And(ends, hn::Ge(common, zeroVector()));
+        const Mask together = hn::And(ends, hn::Ge(hn::Min(high, oldHigh), hn::Max(low, oldLow)));
         const Mask sooner = hn::Lt(low, oldLow);
         const Vector first = hn::IfThenElse(sooner, high, oldHigh);
         put(hn::IfThenElse(sooner, constantVector(jump_), lanesOf(sides_->nextJump, lane)), sides_->nextJump,
             lane);
         put(hn::IfThenElse(sooner, hn::IfThenElse(rises, above, below), lanesOf(sides_->nextSide, lane)),
             sides_->nextSide, lane);
-        put(hn::Min(low, oldLow), sides_->low, lane);
-        put(hn::IfThenElse(together, hn::Max(high, oldHigh), first), sides_->high, lane);
-        const Mask crowded = hn::And(together, hn::Gt(common, lanesOf(sides_->grain, lane)));
+        const Vector start = hn::Min(low, oldLow),
+                     end = hn::IfThenElse(together, hn::Max(high, oldHigh), first);
+        put(start, sides_->low, lane);
+        put(end, sides_->high, lane);
+        // Also where one of them is known exactly: which comes first is open.
+        const Mask crowded = hn::And(together, hn::Gt(hn::Sub(end, start), lanesOf(sides_->grain, lane)));
         if (hn::AllFalse(d, crowded)) return;
         put(hn::IfThenElse(crowded, one, lanesOf(sides_->crowded, lane)), sides_->crowded, lane);
     }
