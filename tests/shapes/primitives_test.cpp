@@ -146,6 +146,14 @@ class PrimitivesTest : public QObject {
         QVERIFY(inside > 1000);
         QVERIFY(cutAway > 1000);
     }
+
+    /// Its least value along an axis without numbers was asked for.
+    void aQuadricWithinNothingIsNowhere() {
+        const Quadric quadric(glm::dvec3(1), glm::dvec3(0), glm::dvec3(0), -1);
+        const Bounds nothing{{0, 0, 2}, {1, 1, 1}}, box = quadric.boundsWithin(nothing);
+        QCOMPARE(box.low, nothing.low);
+        QCOMPARE(box.high, nothing.high);
+    }
 };
 
 QTEST_APPLESS_MAIN(PrimitivesTest)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/vector_relational.hpp>
 #include <limits>
 
 #include "core/roots/polynomial/real_roots.h"
@@ -78,7 +79,7 @@ Bounds Quadric::boundsWithin(const Bounds& room) const {
     constexpr int rounds = 2;  // for an axis may be bounded only once another is
     for (int round = 0; round < rounds; ++round)
         for (int axis = 0; axis < 3; ++axis) {
-            if (!(box.low[axis] <= box.high[axis])) return box;
+            if (!glm::all(glm::lessThanEqual(box.low, box.high))) return box;
             double rest = constant_, size = std::abs(constant_);
             for (int other = 0; other < 3; ++other) {
                 if (other == axis) continue;
