@@ -175,7 +175,8 @@ class CrackleCandidatesTest : public QObject {
         QCOMPARE(cells.last, (Cell{1, -2, 0}));
     }
 
-    /// Points that are too far to count are left out: no list is longer, on average, than it was measured.
+    /// Points that are too far to count are left out: no list is longer, on average, than it was measured;
+    /// with other seeds up to 2.4 % longer.
     void listsAreShort() {
         const auto meanCount = [](double metric, int order, double reach) {
             Random random;
@@ -191,7 +192,8 @@ class CrackleCandidatesTest : public QObject {
         };
         const auto most = [&](double metric, int order, double reach, double wanted) {
             const double count = meanCount(metric, order, reach);
-            QVERIFY2(count <= wanted, qPrintable(QString("%1 of %2").arg(count).arg(wanted)));
+            QVERIFY2(count <= (test::isUsualSeed() ? 1 : 1.05) * wanted,
+                     qPrintable(QString("%1 of %2").arg(count).arg(wanted)));
         };
         most(2, 1, 0.25, 34.41);
         most(2, 2, 0.25, 41.03);

@@ -110,9 +110,7 @@ class SheetRootsTest : public QObject {
         std::mt19937_64 random(seed);
         const auto wall =
             tapeOf([](auto x, auto y, auto z) { return sq(sq(x) + sq(y) + sq(z) - 1) - 1e-12; });
-        const Found sheet(wall, test::neighbourLines(random, 0.1));
-        QVERIFY(sheet.marched > 0);
-        QCOMPARE(sheet.size(), std::size_t{0});
+        leavesAllToOthers(wall, random);
     }
 
     /// The sign changes once for all three, but not where the line meets the first of them.
@@ -122,9 +120,7 @@ class SheetRootsTest : public QObject {
             const auto s = sq(x) + sq(y) + sq(z) - 1;
             return s * (sq(s) - 1e-12);
         });
-        const Found sheet(sheets, test::neighbourLines(random, 0.1));
-        QVERIFY(sheet.marched > 0);
-        QCOMPARE(sheet.size(), std::size_t{0});
+        leavesAllToOthers(sheets, random);
     }
 
     void linesThatBeginBehindTheSurfaceAreLeftToOthers() {
@@ -206,6 +202,18 @@ class SheetRootsTest : public QObject {
         const auto steps =
             tapeOf([](auto x, auto y, auto z) { return floor(x * 3) / 3 + sq(y) + sq(z) - 0.4; });
         QCOMPARE(Found(steps, test::neighbourLines(random, 0.1)).size(), std::size_t{0});
+    }
+
+  private:
+    /// Of some views, for in single ones no bundle comes near.
+    static void leavesAllToOthers(const std::shared_ptr<const Tape>& tape, std::mt19937_64& random) {
+        std::size_t marched = 0;
+        for (int view = 0; view < 4; ++view) {
+            const Found sheet(tape, test::neighbourLines(random, 0.1));
+            marched += sheet.marched;
+            QCOMPARE(sheet.size(), std::size_t{0});
+        }
+        QVERIFY(marched > 0);
     }
 };
 

@@ -34,9 +34,12 @@ int fraction(mpfr_ptr result, mpfr_srcptr a, mpfr_rnd_t rounding) {
     mpfr_floor(step.get(), a);
     return mpfr_sub(result, a, step.get(), rounding);
 }
+/// Twice the distance from the next whole number: a fraction of -1e-300 would be rounded to 1.
 int triangleWave(mpfr_ptr result, mpfr_srcptr a, mpfr_rnd_t rounding) {
-    fraction(result, a, rounding);
-    if (!(mpfr_cmp_d(result, 0.5) < 0)) mpfr_ui_sub(result, 1, result, rounding);
+    ExactNumber next;
+    mpfr_round(next.get(), a);
+    mpfr_sub(result, a, next.get(), rounding);
+    mpfr_abs(result, result, rounding);
     return mpfr_mul_ui(result, result, 2, rounding);
 }
 int cycle(mpfr_ptr result, mpfr_srcptr a, mpfr_rnd_t rounding) {

@@ -69,6 +69,7 @@ struct Checks {
 inline bool isCutOff(ReferenceEvaluator& reference, const ValueAndGradient& found, const Point& p) {
     constexpr double step = 1e-6, part = 0.01, largest = 1e6;
     if (std::abs(found.value) > largest) return true;
+    const double rounding = 1e-8 * (1 + std::abs(found.value));
     for (std::size_t i = 0; i < 3; ++i) {
         Point before = p, behind = p;
         before[i] -= step;
@@ -76,7 +77,7 @@ inline bool isCutOff(ReferenceEvaluator& reference, const ValueAndGradient& foun
         const double slope =
             (reference.evaluate(behind, parameters) - reference.evaluate(before, parameters)) / (2 * step);
         if (std::abs(slope - found.gradient[i]) >
-            part * (std::abs(slope) + std::abs(found.gradient[i])) + 1e-3)
+            part * (std::abs(slope) + std::abs(found.gradient[i])) + rounding)
             return true;
     }
     return false;
