@@ -176,7 +176,7 @@ class CrackleCandidatesTest : public QObject {
     }
 
     /// Points that are too far to count are left out: no list is longer, on average, than it was measured;
-    /// with other seeds up to 2.4 % longer.
+    /// with other seeds up to 5 % longer.
     void listsAreShort() {
         const auto meanCount = [](double metric, int order, double reach) {
             Random random;
@@ -192,7 +192,7 @@ class CrackleCandidatesTest : public QObject {
         };
         const auto most = [&](double metric, int order, double reach, double wanted) {
             const double count = meanCount(metric, order, reach);
-            QVERIFY2(count <= (test::isUsualSeed() ? 1 : 1.05) * wanted,
+            QVERIFY2(count <= (test::isUsualSeed() ? 1 : 1.1) * wanted,
                      qPrintable(QString("%1 of %2").arg(count).arg(wanted)));
         };
         most(2, 1, 0.25, 34.41);

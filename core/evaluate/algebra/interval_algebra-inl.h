@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <limits>
 #include <numbers>
 
 #include "core/evaluate/algebra/interval_number-inl.h"
@@ -258,8 +259,10 @@ class IntervalAlgebra {
         const Vector troughValue = hn::Min(one, hn::Sub(error, hn::Min(high, low)));
         const Number result{hn::IfThenElse(top, one, crestValue), hn::IfThenElse(bottom, one, troughValue),
                             p.doubt};
-        // Infinity, which numbers too large become, has none.
-        const Number all{one, one, hn::IfThenElse(isBounded(p), p.doubt, inDoubt())};
+        // Infinity, which all numbers beyond the largest become, has none.
+        const Vector largest = constantVector(std::numeric_limits<double>::max());
+        const Mask beyond = hn::Or(hn::Ge(lowOf(p), largest), hn::Ge(hn::Neg(p.high), largest));
+        const Number all{one, one, hn::IfThenElse(beyond, inDoubt(), p.doubt)};
         return chooseInterval(usable, result, chooseInterval(isEmpty(p), p, all));
     }
     /// Whether some `offset` + k periods may lie between both.
