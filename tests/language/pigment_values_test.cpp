@@ -48,6 +48,16 @@ class PigmentValuesTest : public QObject {
         QVERIFY(near(valueOf(moved, 0, 0.5, 0), 0));
     }
 
+    /// The height that a height field of this colour has: red, and green for what is below.
+    void aColorHasAHeight() {
+        const ParsedFunction parsed =
+            parseFunction("P(x, y, z).hf", "#declare P = function { pigment { rgb <0.25, 0.5, 0.75> } }");
+        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+        ReferenceEvaluator evaluator(parsed.value.function);
+        const double height = evaluator.evaluate(std::vector<double>{0, 0, 0}, parsed.parameterTable);
+        QVERIFY(near(height, (0.25 + 0.5 / 255) * 0.996093));
+    }
+
     void colors_data() {
         QTest::addColumn<QString>("pigment");
         QTest::addColumn<double>("x");

@@ -514,6 +514,13 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
         }
     }
 
+    void aPigmentThatTheTextEndsInIsTold() {
+        const ParseResult parsed = parseScene("sphere { 0, 1 pigment { rgb 1");
+        QVERIFY2(problems(parsed).find("Expected `}` to close `pigment`, but the text ends here.") !=
+                     std::string::npos,
+                 problems(parsed).c_str());
+    }
+
     /// Behind a mistake in a map its block is passed over.
     void aMistakeInAMapIsOne() {
         for (const char* map : {"texture_map { [0 pigment { rgb 1 }] wibble [1 pigment { rgb 0 }] }",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/version_lens.h"
 
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/language/parse.h"
@@ -56,6 +57,20 @@ class VersionLensTest : public QObject {
         QFETCH(QString, text);
         QFETCH(QStringList, expected);
         QCOMPARE(said(parseScene(text.toStdString())), expected);
+    }
+
+    void whatIncludeFilesSayCounts() {
+        const QTemporaryDir folder;
+        QFile file(folder.filePath("settings.inc"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("global_settings { assumed_gamma 1 }");
+        file.close();
+        ParseOptions options;
+        options.file = folder.filePath("scene.pov").toStdString();
+        const ParseResult parsed =
+            parseScene("#version 3.6;\n#include \"settings.inc\"\nsphere { 0, 1 }", options);
+        QVERIFY(parsed.ok());
+        QCOMPARE(said(parsed), QStringList());
     }
 
     /// As in POV-Ray 3.7's pictures: the version in force at the end of the text decides, and an explicit
