@@ -497,6 +497,44 @@ class AffineEvaluatorTest : public QObject {
         QVERIFY(wide.e / narrow.e > 90);
     }
 
+    /// Of a function of one number the form leaves open what its bend makes of the piece: half of |f''| r^2 /
+    /// 2 where that has one sign, or up to all of it; twice that for those that take another bound for it.
+    void functionsOfOneNumberLeaveOpenTheirBend() {
+        using enum Operation;
+        const auto squared = [](double v) { return v * v; };
+        const struct {
+            Operation operation;
+            double place, bend;  ///< the second derivative there
+        } rows[] = {{square, 0.7, 2},
+                    {squareRoot, 0.7, -0.25 * std::pow(0.7, -1.5)},
+                    {exponential, 0.7, std::exp(0.7)},
+                    {naturalLogarithm, 0.7, -1 / squared(0.7)},
+                    {decimalLogarithm, 0.7, -1 / (squared(0.7) * std::log(10))},
+                    {sine, 0.7, -std::sin(0.7)},
+                    {cosine, 0.7, -std::cos(0.7)},
+                    {tangent, 0.7, 2 * std::tan(0.7) / squared(std::cos(0.7))},
+                    {arcSine, 0.7, 0.7 * std::pow(1 - squared(0.7), -1.5)},
+                    {arcCosine, 0.7, -0.7 * std::pow(1 - squared(0.7), -1.5)},
+                    {arcTangent, 0.7, -1.4 / squared(1 + squared(0.7))},
+                    {hyperbolicSine, 0.7, std::sinh(0.7)},
+                    {hyperbolicCosine, 0.7, std::cosh(0.7)},
+                    {hyperbolicTangent, 0.7, -2 * std::tanh(0.7) / squared(std::cosh(0.7))},
+                    {areaSine, 0.7, -0.7 * std::pow(1 + squared(0.7), -1.5)},
+                    {areaCosine, 1.7, -1.7 * std::pow(squared(1.7) - 1, -1.5)},
+                    {areaTangent, 0.7, 1.4 / squared(1 - squared(0.7))}};
+        constexpr double radius = 1e-3;
+        for (const auto& row : rows) {
+            const AffineForm form = along([&](auto x, auto, auto) { return apply(row.operation, x); },
+                                          piece({row.place - radius, 0, 0}, {1, 0, 0}, 0, 2 * radius));
+            const double whole = 0.5 * std::abs(row.bend) * squared(radius);
+            QVERIFY2(form.e > 0.49 * whole && form.e < 2 * whole,
+                     qPrintable(QString("%1: %2 of %3")
+                                    .arg(QLatin1String(name(row.operation).data()))
+                                    .arg(form.e)
+                                    .arg(whole)));
+        }
+    }
+
     void aLanesAnswerDependsOnNothingElse() {
         std::mt19937_64 random(seed + 3);
         AffineEvaluator evaluator(sphereTape(), {});

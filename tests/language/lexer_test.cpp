@@ -171,6 +171,8 @@ class LexerTest : public QObject {
                                  << "a\n\t\"\\b" << -1;
         QTest::newRow("unicode") << "\"\\u0041\\u00e4\\u20ac\"" << QString::fromUtf8("A\xc3\xa4\xe2\x82\xac")
                                  << -1;
+        QTest::newRow("four digits") << "\"\\u0041B\""
+                                     << "AB" << -1;
         QTest::newRow("unknown") << "\"a\\qb\""
                                  << "a\\qb" << 2;
         QTest::newRow("short unicode") << "\"\\u41\""
