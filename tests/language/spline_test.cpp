@@ -55,6 +55,8 @@ class SplineTest : public QObject {
         const std::string more = natural + " #declare T = spline { S, 2, <9, 9, 9> }";
         QVERIFY(near(componentOf(more, "T(2)", 0), 9));
         QVERIFY(near(componentOf(natural, "S(2)", 0), 3));
+        // It has as many components.
+        QVERIFY(near(componentOf(natural + " #declare T = spline { S }", "<T(1.5).z, 0, 0>", 0), 3));
     }
 
     void arraysHoldSplines() {
