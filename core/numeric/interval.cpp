@@ -165,7 +165,8 @@ Interval log10(const Interval& a) {
     return rising(restrict(a, 0, infinite), [](double x) { return std::log10(x); });
 }
 
-/// A sine or cosine of nobody knows what. Infinity, which all numbers beyond the largest become, has none.
+/// A sine or cosine of a range that says nothing about it. Infinity, which all numbers beyond the largest
+/// become, has none.
 static Interval anyWave(const Interval& a) {
     constexpr double largest = std::numeric_limits<double>::max();
     return {-1, 1, a.maybeUndefined || a.low >= largest || a.high <= -largest};
