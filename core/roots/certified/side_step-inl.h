@@ -23,8 +23,8 @@ using Vector = hn::Vec<MarchTag>;
 using Mask = hn::Mask<MarchTag>;
 using March = MarchKernel;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double unit = std::numeric_limits<double>::epsilon();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double unit = std::numeric_limits<double>::epsilon();
 
 HWY_INLINE Vector constant(double value) { return hn::Set(MarchTag(), value); }
 HWY_INLINE Vector load(const double* from) { return hn::LoadU(MarchTag(), from); }
