@@ -107,7 +107,7 @@ class FirstRootsTest : public QObject {
                 }
             }
         QVERIFY(hits > 5000);
-        QVERIFY2(folds_ < hits / 2000, qPrintable(QString("%1 of %2 at folds").arg(folds_).arg(hits)));
+        QVERIFY2(explained_ < hits / 2000, qPrintable(QString("%1 of %2").arg(explained_).arg(hits)));
     }
 
     /// max(2, noise) is 2 everywhere: what is left of the tape is a constant, without lanes.
@@ -180,7 +180,7 @@ class FirstRootsTest : public QObject {
         }
         const double each = static_cast<double>(finder.report().evaluations) / static_cast<double>(lines);
         qInfo("%zu of %zu lines have roots, %zu are proven, %g enclosures each", hits, lines, proven, each);
-        QVERIFY(proven >= lines - (test::isUsualSeed() ? 0 : 3));
+        QCOMPARE(proven, lines);
         QVERIFY(each < 12);
     }
 
@@ -225,8 +225,7 @@ class FirstRootsTest : public QObject {
         }
         QVERIFY(jumps > 500);
         // The same to the last bit but where POV-Ray halves exactly at the jump.
-        QVERIFY2(apart <= jumps / (test::isUsualSeed() ? 500 : 250),
-                 qPrintable(QString("%1 of %2").arg(apart).arg(jumps)));
+        QVERIFY2(apart <= jumps / 500, qPrintable(QString("%1 of %2").arg(apart).arg(jumps)));
     }
 
     void noLinesHaveNoRoots() {
@@ -296,7 +295,10 @@ class FirstRootsTest : public QObject {
             const auto found = answers.find(i);
             const bool narrow = jumps && finder.verdicts()[0] == Verdict::gap && found != answers.end() &&
                                 isNarrow(finder, lines[i], found->second.root.t);
-            if (narrow) continue;
+            if (narrow) {
+                ++explained_;
+                continue;
+            }
             const bool both = found != answers.end() && wanted != alone.end();
             if (!both) {
                 if (found != answers.end() || wanted != alone.end()) QTest::qFail(place, __FILE__, __LINE__);
@@ -304,13 +306,14 @@ class FirstRootsTest : public QObject {
             }
             const Root& root = found->second.root;
             if (root.t < sufficient) QTest::qFail(place, __FILE__, __LINE__);
-            // Where a polish begins may be on the other side of a fold.
-            bool agree = std::abs(root.t - wanted->t) <= leftover;
-            if (root.kind == RootKind::crossing)
-                agree = agree && hasItsNormal(finder, lines[i], found->second, folded ? 1e-3 : 1e-6);
-            if (!agree && isFolded(finder, lines[i], root.t)) {
-                ++folds_;
-                agree = std::abs(root.t - wanted->t) <= reach;
+            const double apart = std::abs(root.t - wanted->t);
+            const bool turned = root.kind == RootKind::crossing &&
+                                !hasItsNormal(finder, lines[i], found->second, folded ? 1e-3 : 1e-6);
+            bool agree = apart <= 1e-7 && !turned;
+            if (!agree) {
+                // More than that the polish may leave, above all where it begins on the other side of a fold.
+                ++explained_;
+                agree = isFolded(finder, lines[i], root.t) ? apart <= reach : apart <= leftover && !turned;
             }
             if (!agree || (!jumps && root.kind != wanted->kind)) QTest::qFail(place, __FILE__, __LINE__);
             if (!jumps && !hitVerdictsAgree(verdicts[i], finder.verdicts()[0]))
@@ -358,7 +361,7 @@ class FirstRootsTest : public QObject {
                (1 - turn) * glm::length(normal) * glm::length(answer.normal);
     }
 
-    std::size_t folds_ = 0;
+    std::size_t explained_ = 0;  ///< lines that differ by no more than the polish, or a gap, may
 };
 
 QTEST_APPLESS_MAIN(FirstRootsTest)

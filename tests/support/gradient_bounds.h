@@ -104,26 +104,28 @@ inline QString contradiction(const IntervalGradient& answer, ReferenceEvaluator&
     const auto& a = gp.gradient;
     const double slack = 1e-9 * (1 + answer.steepness);
     if (answer.steepness >= GradientEvaluator::steepest) return {};
-    if (isCutOff(reference, gp, p) || isCutOff(reference, gq, q)) return {};
     ++checks.slopes;
-    if (std::hypot(a[0], a[1], a[2]) > answer.steepness + slack)
-        return QString("length (%1, %2)").arg(std::hypot(a[0], a[1], a[2])).arg(answer.steepness);
+    // Asked only where something does not hold.
+    const auto unless = [&](QString wrong) {
+        return isCutOff(reference, gp, p) || isCutOff(reference, gq, q) ? QString() : wrong;
+    };
+    const double length = std::hypot(a[0], a[1], a[2]);
+    if (length > answer.steepness + slack)
+        return unless(QString("length (%1, %2)").arg(length).arg(answer.steepness));
     for (int i = 0; i < 3; ++i)
-        if (!(a[i] >= answer.slope[i].low - slack && a[i] <= answer.slope[i].high + slack))
-            return QString("slope (%1, %2 to %3)")
-                .arg(a[i])
-                .arg(answer.slope[i].low)
-                .arg(answer.slope[i].high);
+        if (const SlopeRange& slope = answer.slope[i];
+            !(a[i] >= slope.low - slack && a[i] <= slope.high + slack))
+            return unless(QString("slope (%1, %2 to %3)").arg(a[i]).arg(slope.low).arg(slope.high));
     if (!answer.smooth || answer.pieced) return {};
     ++checks.bends;
-    // Gradient noise rounds its coordinates at a distance of 10^7.
-    constexpr double rounded = 4e-9;
+    // Gradient noise rounds coordinates to multiples of 2^-29 (gradientNoiseBounds).
+    constexpr double rounded = 0x1p-29;
     for (int i = 0; i < 3; ++i) {
         double most = slack;
         for (int j = 0; j < 3; ++j)
             most += answer.bend[bendIndex(i, j)].size() * (std::abs(p[j] - q[j]) * (1 + 1e-9) + rounded);
         if (std::abs(a[i] - gq.gradient[i]) > most)
-            return QString("bend (%1 by %2)").arg(std::abs(a[i] - gq.gradient[i])).arg(most);
+            return unless(QString("bend (%1 by %2)").arg(std::abs(a[i] - gq.gradient[i])).arg(most));
     }
     return {};
 }

@@ -18,7 +18,4 @@ inline std::uint64_t seedSetting(std::uint64_t otherwise) {
     return static_cast<std::uint64_t>(setting("ISOSCOPE_SEED", static_cast<double>(otherwise)));
 }
 
-/// Whether no other seed was asked for: what is measured of random functions is measured with this one.
-inline bool isUsualSeed() { return qEnvironmentVariableIsEmpty("ISOSCOPE_SEED"); }
-
 }  // namespace isoscope::test
