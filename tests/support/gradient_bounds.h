@@ -67,7 +67,7 @@ struct Checks {
 /// Whether a gradient is not that of the function, by differences over a millionth: the evaluator at points
 /// cuts off slopes beyond a limit wherever they come up, and follows operands that have no value.
 inline bool isCutOff(ReferenceEvaluator& reference, const ValueAndGradient& found, const Point& p) {
-    constexpr double step = 1e-6, part = 0.01, largest = 1e6;
+    constexpr double step = 1e-6, part = 1e-5, largest = 1e6;
     if (std::abs(found.value) > largest) return true;
     const double rounding = 1e-8 * (1 + std::abs(found.value));
     for (std::size_t i = 0; i < 3; ++i) {
