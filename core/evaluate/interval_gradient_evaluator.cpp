@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "core/evaluate/algebra/interval_gradient_rules.h"
@@ -266,7 +267,7 @@ const IntervalGradient& IntervalGradientEvaluator::evaluateFinely(std::span<cons
 const IntervalGradient& IntervalGradientEvaluator::evaluateAboutMiddle(std::span<const Interval, 3> box) {
     std::array<Interval, 3> middle;
     for (std::size_t k = 0; k < 3; ++k) {
-        const double at = 0.5 * box[k].low + 0.5 * box[k].high;
+        const double at = std::midpoint(box[k].low, box[k].high);
         middle[k] = Interval::point(at);
         ways_[k] = {lowered(box[k].low - at), raised(box[k].high - at)};
     }

@@ -341,6 +341,21 @@ class AffineEvaluatorTest : public QObject {
         }
     }
 
+    /// Half of the smallest number is rounded away.
+    void whatLiesBetweenZeroAndTheSmallestNumberIsHeld() {
+        constexpr double smallest = std::numeric_limits<double>::denorm_min();
+        const RayPieces across = piece({-1, -1, 0}, {1, 1, 0}, 0, 3);
+        for (const double other : {smallest, -smallest}) {
+            const auto either = [other](auto x) { return select(x, x.number(0), x.number(other)); };
+            const std::array forms{
+                along([&](auto x, auto, auto) { return either(x); }, across),
+                along([&](auto x, auto y, auto) { return min(either(x), either(y)); }, across)};
+            for (const AffineForm& form : forms)
+                QVERIFY2(form.a - form.e <= std::min(0.0, other) && form.a + form.e >= std::max(0.0, other),
+                         qPrintable(QString::asprintf("%g +- %g", form.a, form.e)));
+        }
+    }
+
     void anOpenComparisonIsBetweenZeroAndOne() {
         const RayPieces across = piece({-1, 0, 0}, {1, 0, 0}, 0, 3);
         for (const Operation comparison :

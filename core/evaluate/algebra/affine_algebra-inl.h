@@ -305,15 +305,17 @@ class AffineAlgebra {
 
     /// Every value of either: the least form with the mean of their slopes.
     static HWY_INLINE Number hullOf(const Number& p, const Number& q) {
-        const Vector b = half(hn::Add(p.b, q.b)), apart = half(hn::Abs(hn::Sub(p.b, q.b)));
+        const Vector b = half(hn::Add(p.b, q.b));
+        const Vector apart = reachFrom(b, hn::Min(p.b, q.b), hn::Max(p.b, q.b));
         const Vector reachOfP = hn::Add(p.e, apart), reachOfQ = hn::Add(q.e, apart);
         const Vector high = hn::Max(hn::Add(p.a, reachOfP), hn::Add(q.a, reachOfQ));
         const Vector low = hn::Min(hn::Sub(p.a, reachOfP), hn::Sub(q.a, reachOfQ));
         const Vector size =
             hn::Add(hn::Add(hn::Abs(high), hn::Abs(low)), hn::Add(hn::Abs(p.b), hn::Abs(q.b)));
         const Vector rounding = hn::Mul(size, constantVector(4 * roundingUnit));
-        const Number both{half(hn::Add(high, low)), b,
-                          hn::MulAdd(half(hn::Sub(high, low)), constantVector(inflation), rounding)};
+        const Vector center = half(hn::Add(high, low));
+        const Number both{center, b,
+                          hn::MulAdd(reachFrom(center, low, high), constantVector(inflation), rounding)};
         const Mask known = hn::And(isKnown(p), isKnown(q));
         const Mask nowhere = hn::And(isUndefined(p), isUndefined(q));
         return chooseNumber(known, both, chooseNumber(nowhere, undefinedNumber(), unknownNumber()));
@@ -382,7 +384,8 @@ class AffineAlgebra {
         const Number mixed{a, b, hn::MulAdd(e, constantVector(inflation), rounding)};
         const VectorRange ofP = rangeOf(p), ofQ = rangeOf(q);
         const Number flat = betweenNumber(hn::Min(ofP.low, ofQ.low), hn::Min(ofP.high, ofQ.high));
-        const Mask flatter = hn::Lt(flat.e, mixed.e);
+        // Where a difference of the smallest numbers divides, the mean is no number.
+        const Mask flatter = hn::Not(hn::Le(mixed.e, flat.e));
         return chooseNumber(hn::Or(first, second), sure, chooseNumber(flatter, flat, mixed));
     }
 

@@ -85,10 +85,16 @@ HWY_INLINE VectorRange rangeOf(const AffineNumber& p) {
     return {hn::Sub(p.a, reach), hn::Add(p.a, reach)};
 }
 
+/// How far the farther of two ends is from the center: what half of a number loses below the normal ones,
+/// all of the smallest, is then no loss.
+HWY_INLINE Vector reachFrom(Vector center, Vector low, Vector high) {
+    return hn::Max(hn::Sub(high, center), hn::Sub(center, low));
+}
+
 /// A number somewhere between two others (each rounded outwards already).
 HWY_INLINE AffineNumber betweenNumber(Vector low, Vector high) {
     const Vector center = half(hn::Add(low, high));
-    const Vector error = hn::MulAdd(half(hn::Sub(high, low)), constantVector(inflation),
+    const Vector error = hn::MulAdd(reachFrom(center, low, high), constantVector(inflation),
                                     hn::Mul(hn::Abs(center), constantVector(2 * roundingUnit)));
     return {center, zeroVector(), error};
 }
