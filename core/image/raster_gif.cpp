@@ -23,8 +23,9 @@ struct CloseGif {
     void operator()(GifFileType* gif) const { DGifCloseFile(gif, nullptr); }
 };
 
-/// Whether the decoder stands before the first image of the file.
-bool findImage(GifFileType* gif) {
+/// Whether the decoder stands before the first image of the file. `transparent` becomes the index that is not
+/// shown, if there is one.
+bool findImage(GifFileType* gif, int& transparent) {
     GifRecordType type = UNDEFINED_RECORD_TYPE;
     while (DGifGetRecordType(gif, &type) == GIF_OK) {
         if (type == IMAGE_DESC_RECORD_TYPE) return DGifGetImageDesc(gif) == GIF_OK;
@@ -32,8 +33,13 @@ bool findImage(GifFileType* gif) {
         int code = 0;
         GifByteType* extension = nullptr;
         if (DGifGetExtension(gif, &code, &extension) != GIF_OK) return false;
-        while (extension)
+        while (extension) {
+            GraphicsControlBlock control;
+            // The first byte is the length.
+            if (code == GRAPHICS_EXT_FUNC_CODE && DGifExtensionToGCB(extension[0], extension + 1, &control))
+                transparent = control.TransparentColor;
             if (DGifGetExtensionNext(gif, &extension) != GIF_OK) return false;
+        }
     }
     return false;
 }
@@ -43,7 +49,8 @@ bool findImage(GifFileType* gif) {
 /// The first image alone, as palette indices; interlaced or not.
 std::optional<Raster> decodeGif(std::span<const std::uint8_t> bytes) {
     const std::unique_ptr<GifFileType, CloseGif> gif(DGifOpen(&bytes, readBytes, nullptr));
-    if (!gif || !findImage(gif.get())) return std::nullopt;
+    int transparent = NO_TRANSPARENT_COLOR;
+    if (!gif || !findImage(gif.get(), transparent)) return std::nullopt;
     const GifImageDesc& image = gif->Image;
     if (image.Width <= 0 || image.Height <= 0) return std::nullopt;
     const auto width = static_cast<std::size_t>(image.Width), height = static_cast<std::size_t>(image.Height);
@@ -59,7 +66,9 @@ std::optional<Raster> decodeGif(std::span<const std::uint8_t> bytes) {
     if (const ColorMapObject* colors = image.ColorMap ? image.ColorMap : gif->SColorMap)
         for (const GifColorType& color :
              std::span(colors->Colors, static_cast<std::size_t>(colors->ColorCount)))
-            raster.palette.push_back({color.Red, color.Green, color.Blue});
+            raster.palette.push_back({color.Red, color.Green, color.Blue, 255});
+    if (transparent >= 0 && static_cast<std::size_t>(transparent) < raster.palette.size())
+        raster.palette[static_cast<std::size_t>(transparent)][3] = 0;
     raster.samples.resize(width * height);
     std::vector<GifPixelType> line(width);
     // Interlaced images come in four passes.

@@ -2,6 +2,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "core/image/raster_file.h"
@@ -30,7 +31,29 @@ void beQuiet(png_structp, png_const_charp) {}
 struct Header {
     png_uint_32 width = 0, height = 0;
     int depth = 0, type = 0;
+    bool isSrgb = false;
+    double encoding = 0;  ///< of the samples, where the file says it; else 0
+    std::array<std::array<std::uint8_t, 4>, 256> palette{};
+    std::size_t colors = 0;
 };
+
+void readColorSpace(png_structp png, png_infop info, Header& header) {
+    int intent = 0;
+    header.isSrgb = png_get_sRGB(png, info, &intent) != 0;
+    png_get_gAMA(png, info, &header.encoding);
+    png_colorp colors = nullptr;
+    int count = 0;
+    if (!png_get_PLTE(png, info, &colors, &count)) return;
+    png_bytep opacities = nullptr;
+    int opacityCount = 0;
+    png_get_tRNS(png, info, &opacities, &opacityCount, nullptr);
+    header.colors = std::min(static_cast<std::size_t>(std::max(count, 0)), header.palette.size());
+    for (std::size_t i = 0; i < header.colors; ++i) {
+        const bool opaque = !opacities || i >= static_cast<std::size_t>(opacityCount);
+        header.palette[i] = {colors[i].red, colors[i].green, colors[i].blue,
+                             opaque ? std::uint8_t{255} : opacities[i]};
+    }
+}
 
 /// Kept free of objects with destructors: libpng leaves it by longjmp. Called once for the header alone, with
 /// `rows` null, and once more for everything.
@@ -46,10 +69,10 @@ bool decode(Input input, Header& header, png_bytep samples, png_bytepp rows) {
     png_get_IHDR(png, info, &header.width, &header.height, &header.depth, &header.type, nullptr, nullptr,
                  nullptr);
     if (rows) {
-        // Everything becomes 8 or 16 bits a sample, without alpha; palette indices stay indices.
+        // Everything becomes 8 or 16 bits a sample; palette indices stay indices.
+        readColorSpace(png, info, header);
         if (header.depth < 8) png_set_packing(png);
         if (header.type == PNG_COLOR_TYPE_GRAY && header.depth < 8) png_set_expand_gray_1_2_4_to_8(png);
-        if (header.type & PNG_COLOR_MASK_ALPHA) png_set_strip_alpha(png);
         png_read_update_info(png, info);
         const std::size_t stride = png_get_rowbytes(png, info);
         for (png_uint_32 y = 0; y < header.height; ++y) rows[y] = samples + stride * y;
@@ -70,9 +93,10 @@ std::optional<Raster> decodePng(std::span<const std::uint8_t> bytes) {
     raster.indexed = header.type == PNG_COLOR_TYPE_PALETTE;
     raster.channels = !raster.indexed && (header.type & PNG_COLOR_MASK_COLOR) ? 3 : 1;
     raster.largest = header.depth == 16 ? 65535 : 255;
-    const std::size_t count =
-        std::size_t{header.width} * header.height * static_cast<std::size_t>(raster.channels);
-    if (count == 0 || std::size_t{header.width} * header.height > rasterSampleLimit / 4) return std::nullopt;
+    const bool transparent = header.type & PNG_COLOR_MASK_ALPHA;
+    const auto colors = static_cast<std::size_t>(raster.channels), stored = colors + (transparent ? 1 : 0);
+    const std::size_t pixels = std::size_t{header.width} * header.height, count = pixels * stored;
+    if (count == 0 || pixels > rasterSampleLimit / 4) return std::nullopt;
     // Deflate makes 1032 bytes of one at most: the memory is not asked for where the file is too short. Eight
     // samples of one bit are a byte.
     constexpr std::size_t mostPerByte = 1032;
@@ -83,11 +107,21 @@ std::optional<Raster> decodePng(std::span<const std::uint8_t> bytes) {
     if (!decode(input, header, samples.data(), rows.data())) return std::nullopt;
     raster.width = static_cast<int>(header.width);
     raster.height = static_cast<int>(header.height);
-    raster.samples.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-        raster.samples[i] = sampleBytes == 1
-                                ? samples[i]
+    if (raster.indexed)
+        raster.palette.assign(header.palette.begin(),
+                              header.palette.begin() + static_cast<std::ptrdiff_t>(header.colors));
+    if (header.isSrgb)
+        raster.gamma = rasterSrgb;
+    else if (header.encoding > 0)
+        raster.gamma = 1 / header.encoding;
+    raster.samples.reserve(pixels * colors);
+    if (transparent) raster.alpha.reserve(pixels);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto sample = sampleBytes == 1
+                                ? std::uint16_t{samples[i]}
                                 : static_cast<std::uint16_t>(samples[2 * i] << 8 | samples[2 * i + 1]);
+        (i % stored < colors ? raster.samples : raster.alpha).push_back(sample);
+    }
     return raster;
 }
 

@@ -8,12 +8,12 @@ namespace {
 constexpr std::size_t headerSize = 18;
 
 struct TgaHeader {
-    int identity, paletteKind, kind, paletteCount, paletteBits, width, height, bits, flags;
+    int identity, paletteKind, kind, paletteFirst, paletteCount, paletteBits, width, height, bits, flags;
 };
 
 TgaHeader headerOf(std::span<const std::uint8_t> b) {
     const auto word = [&](std::size_t at) { return b[at] | b[at + 1] << 8; };
-    return {b[0], b[1], b[2], word(5), b[7], word(12), word(14), b[16], b[17]};
+    return {b[0], b[1], b[2], word(3), word(5), b[7], word(12), word(14), b[16], b[17]};
 }
 
 /// The pixels as stored, one after another, runs written out; fewer when the file ends early.
@@ -36,6 +36,18 @@ std::vector<std::uint8_t> unpacked(std::span<const std::uint8_t> data, std::size
         at += bytes;
     }
     return out;
+}
+
+/// The colours of a palette of 24 or 32 bits each: blue, green, red. Empty for others.
+std::vector<std::array<std::uint8_t, 4>> paletteOf(std::span<const std::uint8_t> data,
+                                                   const TgaHeader& header) {
+    std::vector<std::array<std::uint8_t, 4>> palette;
+    if (header.paletteBits != 24 && header.paletteBits != 32) return palette;
+    const auto step = static_cast<std::size_t>(header.paletteBits / 8);
+    palette.resize(static_cast<std::size_t>(header.paletteFirst));
+    for (std::size_t at = 0; at + step <= data.size(); at += step)
+        palette.push_back({data[at + 2], data[at + 1], data[at], 255});
+    return palette;
 }
 
 }  // namespace
@@ -64,7 +76,9 @@ std::optional<Raster> decodeTga(std::span<const std::uint8_t> bytes) {
     raster.height = header.height;
     raster.indexed = kind == 1;
     raster.channels = kind == 2 ? 3 : 1;
+    if (raster.indexed) raster.palette = paletteOf(bytes.subspan(start - paletteBytes, paletteBytes), header);
     raster.samples.resize(count * static_cast<std::size_t>(raster.channels));
+    if (header.bits == 32) raster.alpha.resize(count);
     const bool topDown = header.flags & 0x20, rightToLeft = header.flags & 0x10;
     for (int row = 0; row < header.height; ++row)
         for (int column = 0; column < header.width; ++column) {
@@ -78,6 +92,7 @@ std::optional<Raster> decodeTga(std::span<const std::uint8_t> bytes) {
                             static_cast<std::size_t>(raster.channels);
             for (std::size_t c = 0; c < static_cast<std::size_t>(raster.channels); ++c)
                 raster.samples[to + c] = pixels[from + (raster.channels == 3 ? 2 - c : 0)];
+            if (header.bits == 32) raster.alpha[to / 3] = pixels[from + 3];
         }
     return raster;
 }

@@ -88,9 +88,11 @@ bool readColors(TIFF* tiff, Raster& raster) {
     std::vector<std::uint32_t> pixels(std::size_t{width} * height);
     if (!TIFFReadRGBAImageOriented(tiff, width, height, pixels.data(), ORIENTATION_TOPLEFT, 0)) return false;
     raster.channels = 3;
-    for (const std::uint32_t pixel : pixels)
+    for (const std::uint32_t pixel : pixels) {
         for (const std::uint32_t value : {TIFFGetR(pixel), TIFFGetG(pixel), TIFFGetB(pixel)})
             raster.samples.push_back(static_cast<std::uint16_t>(value));
+        raster.alpha.push_back(static_cast<std::uint16_t>(TIFFGetA(pixel)));
+    }
     return true;
 }
 
@@ -119,6 +121,7 @@ std::optional<Raster> decodeTiff(std::span<const std::uint8_t> bytes) {
     Raster raster;
     raster.width = static_cast<int>(width);
     raster.height = static_cast<int>(height);
+    raster.darkened = true;
     const Layout layout(tiff.get());
     const bool plain = layout.isPlain() && !TIFFIsTiled(tiff.get());
     if (!(plain ? readPlain(tiff.get(), layout, raster) : readColors(tiff.get(), raster)))

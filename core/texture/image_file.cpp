@@ -2,8 +2,6 @@
 #include "core/texture/image_file.h"
 
 #include <algorithm>
-#include <png.h>
-
 #include <cmath>
 
 #include "core/image/raster_file.h"
@@ -32,105 +30,85 @@ float weighedGray(float sample) {
     return static_cast<float>(std::floor(255.0 * static_cast<double>(weighed)) / 255);
 }
 
-/// From 0..1 as stored to the colours of the scene.
-class ChannelTable {
-  public:
-    ChannelTable(double assumedGamma, double fileGamma) {
-        for (int k = 0; k < 256; ++k) {
-            stored_[k] = static_cast<float>(k) / 255;
-            colors_[k] = static_cast<float>(sceneColor(k / 255.0, assumedGamma, fileGamma));
-        }
-    }
-    float stored(int k) const { return stored_[k]; }
-    float color(int k) const { return colors_[k]; }
-    /// POV-Ray keeps grey images in 8 bits.
-    float gray(int k) const { return std::floor(255 * colors_[k] + 1e-3F) / 255; }
+/// The gamma that the samples have.
+double gammaIn(const Raster& raster, RasterFormat format, const ImageColors& colors) {
+    if (colors.gamma) return *colors.gamma;
+    if (colors.trustsFile && raster.gamma) return *raster.gamma == rasterSrgb ? srgbGamma : *raster.gamma;
+    const bool plain = format == RasterFormat::tiff || format == RasterFormat::netpbm;
+    return colors.supposesSrgb && !plain ? srgbGamma : colors.assumedGamma;
+}
 
-  private:
-    float stored_[256];
-    float colors_[256];
-};
+/// The same, or the scene's where it differs by less than 1 %: POV-Ray then leaves the samples as they are.
+double gammaOf(const Raster& raster, RasterFormat format, const ImageColors& colors) {
+    const double gamma = gammaIn(raster, format, colors), assumed = colors.assumedGamma;
+    return std::abs(gamma - assumed) < 0.01 * std::min(gamma, assumed) ? assumed : gamma;
+}
 
 /// The samples of an image, as colours and as they are stored.
-struct Samples {
-    explicit Samples(std::size_t count) : colors(count), stored(count) {}
-
-    void set(std::size_t i, const ChannelTable& table, const std::array<int, 3>& channels, bool gray,
-             float alpha) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            colors[i][c] = gray ? table.gray(channels[c]) : table.color(channels[c]);
-            stored[i][c] = table.stored(channels[c]);
+class Samples {
+  public:
+    Samples(const Raster& raster, RasterFormat format, const ImageColors& colors)
+        : raster_(raster),
+          weighs_(format == RasterFormat::png && !raster.indexed && raster.channels == 1 &&
+                  raster.largest == 255 && raster.alpha.empty()),
+          steps_(format == RasterFormat::tiff ? std::min(raster.largest, 255) : raster.largest) {
+        // Of a palette the bytes of its colours count.
+        const int count = raster.indexed ? 255 : steps_;
+        const double storedGamma = gammaOf(raster, format, colors);
+        for (int k = 0; k <= count; ++k) {
+            const double stored = static_cast<double>(k) / count;
+            stored_.push_back(static_cast<float>(stored));
+            colors_.push_back(static_cast<float>(sceneColor(stored, colors.assumedGamma, storedGamma)));
+            if (weighs_) stored_.back() = weighedGray(stored_.back());
+            if (weighs_) colors_.back() = weighedGray(colors_.back());
         }
-        colors[i][4] = stored[i][4] = 1 - alpha;
-    }
-    void giveTo(ImageMap& image) {
-        image.samples = std::make_shared<const std::vector<ImageMap::Sample>>(std::move(colors));
-        image.stored = std::make_shared<const std::vector<ImageMap::Sample>>(std::move(stored));
     }
 
-    std::vector<ImageMap::Sample> colors, stored;
+    /// Of pixel number `i`.
+    void giveTo(ImageMap::Sample& color, ImageMap::Sample& stored, std::size_t i) const {
+        std::array<std::size_t, 3> channels{};
+        float opacity = 1;
+        if (raster_.indexed) {
+            const std::size_t index = raster_.samples[i];
+            if (index < raster_.palette.size()) {
+                const auto& entry = raster_.palette[index];
+                channels = {entry[0], entry[1], entry[2]};
+                opacity = static_cast<float>(entry[3]) / 255;
+            }
+        } else {
+            const auto count = static_cast<std::size_t>(raster_.channels);
+            for (std::size_t c = 0; c < 3; ++c)
+                channels[c] = stepOf(raster_.samples[i * count + (count == 3 ? c : 0)]);
+            if (!raster_.alpha.empty())
+                opacity = static_cast<float>(raster_.alpha[i]) / static_cast<float>(raster_.largest);
+        }
+        for (std::size_t c = 0; c < 3; ++c) {
+            color[c] = colors_[channels[c]];
+            stored[c] = stored_[channels[c]];
+        }
+        color[4] = stored[4] = 1 - opacity;
+    }
+
+  private:
+    std::size_t stepOf(std::uint16_t sample) const {
+        const int value = std::min<int>(sample, raster_.largest);
+        if (steps_ == raster_.largest) return static_cast<std::size_t>(value);
+        return static_cast<std::size_t>(std::lround(static_cast<double>(value) * steps_ / raster_.largest));
+    }
+
+    const Raster& raster_;
+    bool weighs_;
+    int steps_;  ///< values of a sample, less one
+    std::vector<float> colors_, stored_;
 };
-
-/// The numbers of the palette, of images that have one.
-void readIndices(const Raster& raster, ImageMap& image) {
-    if (!raster.indexed || raster.channels != 1 || raster.width != image.width ||
-        raster.height != image.height)
-        return;
-    auto indices = std::make_shared<std::vector<std::uint8_t>>();
-    indices->reserve(raster.samples.size());
-    for (const std::uint16_t sample : raster.samples) indices->push_back(static_cast<std::uint8_t>(sample));
-    image.indices = std::move(indices);
-}
-
-std::optional<ImageMap> readPng(const std::filesystem::path& file, const ChannelTable& table,
-                                std::string& problem) {
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    if (!png_image_begin_read_from_file(&png, file.c_str())) {
-        problem = png.message;
-        return std::nullopt;
-    }
-    const bool gray = !(png.format & (PNG_FORMAT_FLAG_COLOR | PNG_FORMAT_FLAG_COLORMAP));
-    const bool weighed = gray && !(png.format & (PNG_FORMAT_FLAG_ALPHA | PNG_FORMAT_FLAG_LINEAR));
-    const bool palette = (png.format & PNG_FORMAT_FLAG_COLORMAP) != 0;
-    png.format = PNG_FORMAT_RGBA;
-    const std::size_t count = static_cast<std::size_t>(png.width) * png.height;
-    if (count == 0 || count > pixelLimit) {
-        png_image_free(&png);
-        problem = "the image is too large";
-        return std::nullopt;
-    }
-    std::vector<png_byte> bytes(PNG_IMAGE_SIZE(png));
-    if (!png_image_finish_read(&png, nullptr, bytes.data(), 0, nullptr)) {
-        problem = png.message;
-        return std::nullopt;
-    }
-    ImageMap image;
-    image.width = static_cast<int>(png.width);
-    image.height = static_cast<int>(png.height);
-    Samples samples(count);
-    for (std::size_t i = 0; i < count; ++i)
-        samples.set(i, table, {bytes[4 * i], bytes[4 * i + 1], bytes[4 * i + 2]}, gray,
-                    static_cast<float>(bytes[4 * i + 3]) / 255);
-    if (weighed)
-        for (ImageMap::Sample& sample : samples.stored)
-            for (std::size_t c = 0; c < 3; ++c) sample[c] = weighedGray(sample[c]);
-    samples.giveTo(image);
-    if (palette) {
-        std::string ignored;
-        if (const std::optional<Raster> raster = readRaster(file, ignored)) readIndices(*raster, image);
-    }
-    return image;
-}
 
 }  // namespace
 
-std::optional<ImageMap> readImageMap(const std::filesystem::path& file, double assumedGamma,
-                                     std::optional<double> fileGamma, std::string& problem) {
-    const ChannelTable table(assumedGamma, fileGamma.value_or(srgbGamma));
-    if (rasterFormat(file) == RasterFormat::png) return readPng(file, table, problem);
+std::optional<ImageMap> readImageMap(const std::filesystem::path& file, const ImageColors& wanted,
+                                     std::string& problem) {
+    const std::optional<RasterFormat> format = rasterFormat(file);
     const std::optional<Raster> raster = readRaster(file, problem);
-    if (!raster) return std::nullopt;
+    if (!raster || !format) return std::nullopt;
     if (raster->indexed && raster->palette.empty()) {
         problem = "its palette is not understood";
         return std::nullopt;
@@ -143,20 +121,25 @@ std::optional<ImageMap> readImageMap(const std::filesystem::path& file, double a
         problem = "the image is too large";
         return std::nullopt;
     }
-    Samples samples(count);
-    const double largest = raster->largest > 0 ? raster->largest : 255;
-    const auto channels = static_cast<std::size_t>(raster->channels);
+    const Samples samples(*raster, *format, wanted);
+    std::vector<ImageMap::Sample> colors(count), stored(count);
+    image.darkened = wanted.darkened.value_or(raster->darkened);
     for (std::size_t i = 0; i < count; ++i) {
-        std::array<int, 3> stored{};
-        for (std::size_t c = 0; c < 3; ++c) {
-            const std::uint16_t sample = raster->samples[i * channels + (channels == 3 ? c : 0)];
-            stored[c] = static_cast<int>(std::lround(255 * std::min(1.0, sample / largest)));
-            if (raster->indexed) stored[c] = sample < raster->palette.size() ? raster->palette[sample][c] : 0;
-        }
-        samples.set(i, table, stored, channels == 1 && !raster->indexed, 1);
+        samples.giveTo(colors[i], stored[i], i);
+        const float darkening = darkeningOf(image, colors[i]);
+        for (std::size_t c = 0; c < 3; ++c) colors[i][c] /= darkening;
     }
-    samples.giveTo(image);
-    readIndices(*raster, image);
+    image.samples = std::make_shared<const std::vector<ImageMap::Sample>>(std::move(colors));
+    image.stored = std::make_shared<const std::vector<ImageMap::Sample>>(std::move(stored));
+    image.hasAlpha = !raster->alpha.empty() || *format == RasterFormat::tiff ||
+                     (raster->indexed && *format != RasterFormat::bmp);
+    if (raster->indexed) {
+        auto indices = std::make_shared<std::vector<std::uint8_t>>();
+        indices->reserve(count);
+        for (const std::uint16_t index : raster->samples)
+            indices->push_back(static_cast<std::uint8_t>(index));
+        image.indices = std::move(indices);
+    }
     return image;
 }
 

@@ -14,10 +14,21 @@ namespace isoscope {
 /// and becomes 0 for others.
 double sceneColor(double stored, double assumedGamma, double storedGamma);
 
-/// Reads an image in the colours of a scene with this assumed_gamma (GlobalSettings::assumedGamma): stored
-/// colours have this gamma, or are sRGB, as POV-Ray 3.7 takes them; what is not opaque transmits. Nothing,
-/// and the reason in `problem`, when the file cannot be read. PNG, and what readRaster() knows.
-std::optional<ImageMap> readImageMap(const std::filesystem::path& file, double assumedGamma,
-                                     std::optional<double> fileGamma, std::string& problem);
+/// What a scene says of the colours of an image.
+struct ImageColors {
+    double assumedGamma = 1;      ///< GlobalSettings::assumedGamma
+    std::optional<double> gamma;  ///< `gamma` of the image itself
+    bool trustsFile = true;       ///< what the file says counts: version 3.7, or assumed_gamma was given
+    bool supposesSrgb = true;  ///< version 3.7: PNG, GIF, TGA, JPEG and BMP images that say nothing are sRGB
+    /// `premultiplied`: whether the colours have been multiplied by alpha; else as the kind of file has it.
+    std::optional<bool> darkened;
+};
+
+/// Reads an image in the colours of the scene, as POV-Ray 3.7 does (measured): other images that say nothing
+/// of their gamma are taken as they are. Grey PNG images of 8 bits have 8 bits then, too, and colours of TIFF
+/// images 8. What is not opaque transmits. Nothing, and the reason in `problem`, when the file cannot be
+/// read. What readRaster() knows.
+std::optional<ImageMap> readImageMap(const std::filesystem::path& file, const ImageColors& colors,
+                                     std::string& problem);
 
 }  // namespace isoscope

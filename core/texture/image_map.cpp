@@ -12,7 +12,7 @@ namespace isoscope {
 
 namespace {
 
-constexpr Color clear{0, 0, 0, 0, 1};
+constexpr Color clear{1, 1, 1, 0, 1};
 
 struct Place {
     double u = 0, v = 0;  ///< 0 to 1 over the image, from the left and from below
@@ -102,6 +102,10 @@ std::optional<Color> lookUp(const View& view, const glm::dvec3& point, int right
 }
 
 }  // namespace
+
+float darkeningOf(const ImageMap& image, const ImageMap::Sample& sample) {
+    return image.darkened && sample[4] < 1 ? 1 - sample[4] : 1;
+}
 
 Color imageColor(const ImageMap& image, const glm::dvec3& point) {
     return image.samples ? lookUp({image, *image.samples}, point).value_or(clear) : clear;

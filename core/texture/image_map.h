@@ -31,12 +31,17 @@ struct ImageMap {
     std::shared_ptr<const std::vector<std::uint8_t>> indices;
     ImageMapType type = ImageMapType::planar;
     ImageInterpolation interpolation = ImageInterpolation::none;
-    bool once = false;  ///< clear beyond the first copy
+    bool once = false;      ///< clear beyond the first copy
+    bool darkened = false;  ///< the file has colours times alpha; those of the samples are divided by it
+    bool hasAlpha = false;  ///< the file may say what is transparent, as POV-Ray sees it
 };
+
+/// What an image of darkened colours divides a sample's by; 1 for others, and where all is transmitted.
+float darkeningOf(const ImageMap& image, const ImageMap::Sample& sample);
 
 /// The colour of the image at a point of its own coordinates, as POV-Ray 3.7 has it (measured): planar images
 /// fill the unit square of x and y, over and over; those of the other types are wrapped about the y axis.
-/// Where there is no image (`once`, or a point that is not finite) it is clear: black that transmits all.
+/// Where there is no image (`once`, or a point that is not finite) it is clear: white that transmits all.
 Color imageColor(const ImageMap& image, const glm::dvec3& point);
 
 /// The colour as it is stored in the file, there or so many samples to the right and below; black and opaque

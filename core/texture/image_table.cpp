@@ -30,7 +30,8 @@ double ImageTable::joined(double u, double v) const {
     switch (channel_) {
         case ImageChannel::storedGray:
         case ImageChannel::patternGray: return channelOf(storedColor(image_, point, right_, below_));
-        case ImageChannel::storedTransparency: return channelOf(storedColor(image_, point));
+        case ImageChannel::storedTransparency:
+        case ImageChannel::storedRed: return channelOf(storedColor(image_, point));
         case ImageChannel::index: return imageIndex(image_, point);
         default: return channelOf(imageColor(image_, point));
     }
@@ -38,7 +39,8 @@ double ImageTable::joined(double u, double v) const {
 
 double ImageTable::channelOf(const Color& color) const {
     switch (channel_) {
-        case ImageChannel::red: return color.red;
+        case ImageChannel::red:
+        case ImageChannel::storedRed: return color.red;
         case ImageChannel::green: return color.green;
         case ImageChannel::blue: return color.blue;
         case ImageChannel::filter: return color.filter;
@@ -60,8 +62,8 @@ double ImageTable::sample(int column, int row) const {
     const auto number = static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) +
                         static_cast<std::size_t>(column);
     if (channel_ == ImageChannel::index && image_.indices) return (*image_.indices)[number];
-    const bool isStored =
-        isGray() || channel_ == ImageChannel::storedTransparency || channel_ == ImageChannel::index;
+    const bool isStored = isGray() || channel_ == ImageChannel::storedTransparency ||
+                          channel_ == ImageChannel::storedRed || channel_ == ImageChannel::index;
     const auto& samples = isStored ? image_.stored : image_.samples;
     if (!samples) return value({NAN, NAN, 0});
     const auto& [red, green, blue, filter, transmit] = (*samples)[number];

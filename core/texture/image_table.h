@@ -22,6 +22,7 @@ enum class ImageChannel {
     storedGray,          ///< of bumps
     patternGray,         ///< the same of patterns, no less than 0 and no more than 1
     storedTransparency,  ///< 0 where the file is opaque
+    storedRed,           ///< as it is in the file
     index                ///< imageIndex()
 };
 

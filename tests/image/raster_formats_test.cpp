@@ -45,6 +45,25 @@ Bytes bmpImage(int bits, bool fromTop) {
     return bytes;
 }
 
+/// A BMP of 6 by 2 pixels that is run-length coded, with 16 colours: `data` behind the palette.
+Bytes packedBmp(int bits, const Bytes& data) {
+    Bytes bytes{'B', 'M'};
+    append(bytes, 0, 8);
+    append(bytes, 54 + 4 * 16, 4);
+    for (const std::uint32_t word : {40u, 6u, 2u}) append(bytes, word, 4);
+    append(bytes, 1, 2);
+    append(bytes, static_cast<std::uint32_t>(bits), 2);
+    append(bytes, bits == 8 ? 1 : 2, 4);
+    for (const std::uint32_t word : {0u, 0u, 0u, 16u, 0u}) append(bytes, word, 4);
+    for (std::uint32_t k = 0; k < 16; ++k) append(bytes, k * 0x10203u, 4);
+    bytes.insert(bytes.end(), data.begin(), data.end());
+    return bytes;
+}
+
+/// A run of 2, four pixels one by one; then one pixel passed over, a run of 5.
+const Bytes runsOfBytes{2, 7, 0, 4, 1, 2, 3, 4, 0, 0, 0, 2, 1, 0, 5, 9, 0, 1};
+const Bytes runsOfHalves{2, 0x77, 0, 4, 0x12, 0x34, 0, 0, 0, 2, 1, 0, 5, 0x9a, 0, 1};
+
 Bytes jpegImage(int width, int height, int components) {
     jpeg_compress_struct encoder{};
     jpeg_error_mgr errors{};
@@ -114,13 +133,30 @@ class RasterFormatsTest : public QObject {
                 const auto raster = decodeBmp(bmpImage(bits, fromTop));
                 QVERIFY(raster && raster->width == 3 && raster->height == 2);
                 QCOMPARE(raster->channels, bits == 8 ? 1 : 3);
-                QVERIFY(!raster->indexed);
+                QCOMPARE(raster->indexed, bits == 8);
                 for (int row = 0; row < 2; ++row)
                     for (int column = 0; column < 3; ++column)
                         for (int channel = 0; channel < raster->channels; ++channel)
                             QCOMPARE(int(raster->at(column, row, channel)),
                                      10 * (3 * row + column) + channel);
             }
+    }
+
+    void bmpOfRuns() {
+        for (const int bits : {4, 8}) {
+            const Bytes& data = bits == 8 ? runsOfBytes : runsOfHalves;
+            const auto raster = decodeBmp(packedBmp(bits, data));
+            QVERIFY(raster && raster->width == 6 && raster->height == 2 && raster->indexed);
+            QVERIFY((raster->palette.at(3) == std::array<std::uint8_t, 4>{3, 6, 9, 255}));
+            const std::uint16_t other = bits == 8 ? 9 : 10;
+            const std::vector<std::uint16_t> right{0, 9, other, 9, other, 9, 7, 7, 1, 2, 3, 4};
+            QCOMPARE(raster->samples, right);
+            // Beyond the side, beyond the last row, and without an end.
+            QVERIFY(!decodeBmp(packedBmp(bits, {7, 1, 0, 1})));
+            QVERIFY(!decodeBmp(packedBmp(bits, {0, 0, 0, 0, 1, 1, 0, 1})));
+            QVERIFY(!decodeBmp(packedBmp(bits, {0, 2, 0, 3, 0, 1})));
+            QVERIFY(!decodeBmp(packedBmp(bits, {6, 1})));
+        }
     }
 
     void jpegGreyAndColoured() {
@@ -194,8 +230,9 @@ class RasterFormatsTest : public QObject {
         qInfo("seed %u", seed);
         QRandomGenerator random(seed);
         const QTemporaryDir folder;
-        for (const Bytes& whole : {bmpImage(8, false), bmpImage(24, true), jpegImage(16, 16, 3),
-                                   tiffImage(folder, 16, 1), tiffImage(folder, 8, 3)})
+        for (const Bytes& whole :
+             {bmpImage(8, false), bmpImage(24, true), packedBmp(8, runsOfBytes), packedBmp(4, runsOfHalves),
+              jpegImage(16, 16, 3), tiffImage(folder, 16, 1), tiffImage(folder, 8, 3)})
             for (int round = 0; round < 400; ++round) {
                 Bytes bytes = whole;
                 if (random.bounded(2)) bytes.resize(random.bounded(quint32(bytes.size())));

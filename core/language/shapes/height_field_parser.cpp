@@ -130,10 +130,11 @@ class HeightFieldReader {
         return raster;
     }
 
-    /// POV-Ray makes colours of the grey values of 8-bit PNG images, and their brightness in single
-    /// precision: some lose one step.
+    /// POV-Ray makes colours of the grey values of 8-bit PNG images without alpha, and their brightness in
+    /// single precision: some lose one step.
     static Raster asPovrayReadsPng(Raster raster) {
-        if (raster.channels != 1 || raster.indexed || raster.largest != 255) return raster;
+        if (raster.channels != 1 || raster.indexed || raster.largest != 255 || !raster.alpha.empty())
+            return raster;
         for (std::uint16_t& sample : raster.samples) {
             const float grey = static_cast<float>(sample) / 255.0f;
             const float red = 0.297f * grey, green = 0.589f * grey, blue = 0.114f * grey;

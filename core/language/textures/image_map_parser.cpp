@@ -75,16 +75,21 @@ bool ImageMapParser::parseFile() {
 }
 
 std::shared_ptr<const ImageMap> ImageMapParser::read() {
-    const std::string key = file_.string() + (gamma_ ? "|" + std::to_string(*gamma_) : "");
-    std::shared_ptr<const ImageMap>& known = tokens_.context().images[key];
+    ParseContext& context = tokens_.context();
+    // assumed_gamma may follow later in the text; scenes of version 3.7 say it first.
+    const bool isNew = context.languageVersion >= 370;
+    const ImageColors colors{context.assumedGamma, gamma_, isNew || context.hasAssumedGamma, isNew,
+                             premultiplied_};
+    std::string key = file_.string();
+    for (const double part : {colors.assumedGamma, gamma_.value_or(-1), double(colors.trustsFile),
+                              double(isNew), premultiplied_ ? double(*premultiplied_) : -1})
+        key += "|" + std::to_string(part);
+    std::shared_ptr<const ImageMap>& known = context.images[key];
     if (!known) {
         std::string problem;
-        // assumed_gamma may follow later in the text; scenes of version 3.7 say it first.
-        std::optional<ImageMap> content =
-            readImageMap(file_, tokens_.context().assumedGamma, gamma_, problem);
+        std::optional<ImageMap> content = readImageMap(file_, colors, problem);
         if (!content) {
-            reportLeftOut(tokens_.context(), range_,
-                          "The image `" + name_ + "` is not shown: " + problem + ".");
+            reportLeftOut(context, range_, "The image `" + name_ + "` is not shown: " + problem + ".");
             return nullptr;
         }
         known = std::make_shared<const ImageMap>(std::move(*content));
@@ -127,7 +132,7 @@ bool ImageMapParser::parseSetting() {
     } else if (tokens_.accept("gamma")) {
         parseGamma();
     } else if (tokens_.accept("premultiplied")) {
-        if (!expressions.atExpression() || expressions.parseBool()) leftOut_.emplace_back("premultiplied");
+        premultiplied_ = !expressions.atExpression() || expressions.parseBool();
     } else {
         return false;
     }
@@ -162,15 +167,23 @@ void ImageMapParser::makeTransparent(ImageMap& image) const {
     if (transparencies_.empty()) return;
     auto samples = std::make_shared<std::vector<ImageMap::Sample>>(*image.samples);
     for (const Transparency& transparency : transparencies_) {
-        // Images without a palette have no numbers that could be meant.
-        if (transparency.index && !image.indices) continue;
+        if (transparency.index && !image.indices) {
+            tokens_.context().error(
+                "no-palette", range_,
+                "The image `" + name_ + "` has no palette whose entry could be transparent.",
+                "say `all` for the whole image");
+            return;
+        }
         for (std::size_t i = 0; i < samples->size(); ++i) {
-            float& value = (*samples)[i][transparency.channel];
-            // What the alpha channel lets through is let through as well.
+            ImageMap::Sample& sample = (*samples)[i];
+            const float darkening = darkeningOf(image, sample);
+            float& value = sample[transparency.channel];
+            // What the alpha channel lets through is let through as well; a palette's entries are replaced.
             if (!transparency.index)
-                value += transparency.amount;
+                value = transparency.amount + (image.indices ? 0 : value);
             else if ((*image.indices)[i] == *transparency.index)
                 value = transparency.amount;
+            for (std::size_t c = 0; c < 3; ++c) sample[c] *= darkening / darkeningOf(image, sample);
         }
     }
     image.samples = std::move(samples);

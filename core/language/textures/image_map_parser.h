@@ -59,7 +59,7 @@ class ImageMapParser {
     SourceRange range_;
     std::optional<double> gamma_;
     std::vector<Transparency> transparencies_;
-    std::optional<bool> usesAlpha_, usesIndex_;
+    std::optional<bool> usesAlpha_, usesIndex_, premultiplied_;
     std::vector<std::string> leftOut_;
 };
 

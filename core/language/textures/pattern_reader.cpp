@@ -241,12 +241,14 @@ bool PatternReader::parseImagePattern() {
     ImageMapParser images(tokens_);
     const std::shared_ptr<const ImageMap> image = images.parse();
     if (!image) return false;
-    const bool alpha = images.usesAlpha().value_or(false);
+    // Without any alpha POV-Ray takes red for it.
+    const ImageChannel channel = !images.usesAlpha().value_or(false) ? ImageChannel::patternGray
+                                 : image->hasAlpha                   ? ImageChannel::storedTransparency
+                                                                     : ImageChannel::storedRed;
     FunctionScope scope({});
     const PatternPoint point{scope.expression(*scope.find("x")), scope.expression(*scope.find("y")),
                              scope.expression(*scope.find("z"))};
-    const Expression value =
-        imageValue(image, alpha ? ImageChannel::storedTransparency : ImageChannel::patternGray, point);
+    const Expression value = imageValue(image, channel, point);
     pattern.kind = PatternKind::function;
     pattern.function = scope.finish({value.node()});
     return true;

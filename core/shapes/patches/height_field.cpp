@@ -28,13 +28,24 @@ HeightGrid heightGrid(const Raster& raster) {
     grid.rows = raster.height;
     for (int y = raster.height - 1; y >= 0; --y)
         for (int x = 0; x < raster.width; ++x) {
-            if (raster.channels == 1) {
-                const double factor = raster.indexed ? 256 : 65535.0 / raster.largest;
-                grid.heights.push_back(std::floor(raster.at(x, y) * factor + 0.5) / heightSteps);
-                continue;
+            if (raster.indexed) {
+                grid.heights.push_back(256 * raster.at(x, y) / heightSteps);
+            } else if (raster.channels == 1) {
+                // POV-Ray computes in single precision, and cuts off.
+                const float scale = 65535.0F / static_cast<float>(raster.largest);
+                grid.heights.push_back(std::floor(scale * raster.at(x, y)) / heightSteps);
+            } else if (raster.largest > 255) {
+                const auto part = [&](int channel) {
+                    return static_cast<float>(raster.at(x, y, channel)) / static_cast<float>(raster.largest);
+                };
+                const float brightness = 0.297F * part(0) + 0.589F * part(1) + 0.114F * part(2);
+                grid.heights.push_back(std::floor(65535.0 * static_cast<double>(brightness)) / heightSteps);
+            } else {
+                const auto byte = [&](int channel) {
+                    return raster.at(x, y, channel) * 255 / raster.largest;
+                };
+                grid.heights.push_back((256.0 * byte(0) + byte(1)) / heightSteps);
             }
-            const auto byte = [&](int channel) { return raster.at(x, y, channel) * 255 / raster.largest; };
-            grid.heights.push_back((256.0 * byte(0) + byte(1)) / heightSteps);
         }
     return grid;
 }

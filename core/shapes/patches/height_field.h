@@ -23,8 +23,9 @@ struct HeightGrid {
     }
 };
 
-/// The heights that an image means (docs/povray/primitives.md, section 4): grey over 65536, a palette's index
-/// over 256, or red and green as the two bytes of a number over 65536. Its bottom row lies at z = 0.
+/// The heights that an image means (docs/povray/primitives.md, section 4): grey over 65536, as well that of
+/// colours of more than 8 bits, a palette's index over 256, or red and green as the two bytes of a number
+/// over 65536. Its bottom row lies at z = 0.
 HeightGrid heightGrid(const Raster& raster);
 
 /// Two triangles for each square of four heights, without walls. Inside is everything below the unit square's
