@@ -48,7 +48,7 @@ struct MappedPigment {
     std::shared_ptr<const ImageMap> image;
     bool onSurface = false;  ///< for `uv_mapping`: looked up at the place on the surface, <u, v, 0>
 
-    /// Words of the scene that have no effect here ("premultiplied").
+    /// Words of the scene that have no effect here ("map_type").
     std::vector<std::string> notSimulated;
 
     /// Pigments in it, counted as often as they are looked up, and the height of their tree: both are

@@ -166,13 +166,13 @@ std::map<std::string, Pattern> warpedPatterns() {
         .gradient = {0, 1, 0};
     add("pattern { bozo warp { black_hole <0.3,0.2,0.1>, 1 strength 0.7 falloff 2 } }", PatternKind::bozo,
         {BlackHoleWarp{{0.3, 0.2, 0.1}, 1, 0.7, 2}});
-    add("pattern { wood warp { planar z, 0.5 } }", PatternKind::wood, {PlanarWarp{2, 0.5}});
+    add("pattern { wood warp { planar z, 0.5 } }", PatternKind::wood, {PlanarWarp{{0, 0, 1}, 0.5}});
     add("pattern { checker warp { spherical orientation z dist_exp 0.5 } }", PatternKind::checker,
-        {RoundWarp{RoundWarp::Kind::spherical, 2, 0.5}});
+        {RoundWarp{RoundWarp::Kind::spherical, {0, 0, 1}, 0.5}});
     add("pattern { checker warp { cylindrical } }", PatternKind::checker,
         {RoundWarp{RoundWarp::Kind::cylindrical}});
     add("pattern { checker warp { toroidal major_radius 0.7 } }", PatternKind::checker,
-        {RoundWarp{RoundWarp::Kind::toroidal, 2, 0, 0.7}});
+        {RoundWarp{RoundWarp::Kind::toroidal, {0, 0, 1}, 0, 0.7}});
     const Function square = functionOf([](Expression x, Expression y, Expression) { return x * x + sin(y); });
     add("pattern { function { x*x + sin(y) } }", PatternKind::function, {}).function = square;
     const Function plain = functionOf([](Expression x, Expression, Expression) { return x; });

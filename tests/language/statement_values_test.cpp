@@ -26,7 +26,8 @@ std::string warpText(const PatternWarp& warp) {
                told(repeat->flip[2]) + ")";
     if (const auto* hole = std::get_if<BlackHoleWarp>(&warp))
         return "(black_hole " + told(hole->center) + ", " + told(hole->radius) + " " + told(hole->strength) +
-               " " + told(hole->falloff) + (hole->inverse ? " inverse)" : ")");
+               " " + told(hole->falloff) + " repeat " + told(hole->repeat) + " turbulence " +
+               told(hole->turbulence) + (hole->inverse ? " inverse)" : ")");
     if (const auto* planar = std::get_if<PlanarWarp>(&warp))
         return "(planar " + told(planar->orientation) + " " + told(planar->distance) + ")";
     const auto& round = std::get<RoundWarp>(warp);
@@ -252,13 +253,14 @@ class StatementValuesTest : public QObject {
             "wood, (repeat axis 1 2 offset 1 0 0.5 flip yes no yes)");
         row("wood warp { repeat <0, 0, 3> }", "wood, (repeat axis 2 3 offset 0 0 0 flip no no no)");
         row("wood warp { black_hole <1, 2, 3>, 0.5 strength 2 falloff 3 inverse }",
-            "wood, (black_hole 1 2 3, 0.5 2 3 inverse)");
-        row("wood warp { black_hole 0, 1 }", "wood, (black_hole 0 0 0, 1 1 2)");
-        row("wood warp { planar y, 0.5 }", "wood, (planar 1 0.5)");
-        row("wood warp { planar }", "wood, (planar 2 0)");
-        row("wood warp { spherical }", "wood, (round 0 2 0 1)");
-        row("wood warp { cylindrical orientation y dist_exp 1 }", "wood, (round 1 1 1 1)");
-        row("wood warp { toroidal orientation x dist_exp 2 major_radius 3 }", "wood, (round 2 0 2 3)");
+            "wood, (black_hole 1 2 3, 0.5 2 3 repeat 0 0 0 turbulence 0 0 0 inverse)");
+        row("wood warp { black_hole 0, 1 turbulence x inverse repeat <4, 0, 5> falloff 1 }",
+            "wood, (black_hole 0 0 0, 1 1 1 repeat 4 0 5 turbulence 1 0 0 inverse)");
+        row("wood warp { planar y, 0.5 }", "wood, (planar 0 1 0 0.5)");
+        row("wood warp { planar }", "wood, (planar 0 0 1 0)");
+        row("wood warp { spherical }", "wood, (round 0 0 0 1 0 1)");
+        row("wood warp { cylindrical orientation y dist_exp 1 }", "wood, (round 1 0 1 0 1 1)");
+        row("wood warp { toroidal orientation x dist_exp 2 major_radius 3 }", "wood, (round 2 1 0 0 2 3)");
         row("rgb <0.1, 0.2, 0.3>", "0.1 0.2 0.3");
         row("rgbf <0.1, 0.2, 0.3, 0.4>", "0.1 0.2 0.3 filter 0.4");
         row("rgbt <0.1, 0.2, 0.3, 0.4>", "0.1 0.2 0.3 transmit 0.4");

@@ -33,29 +33,33 @@ struct RepeatWarp {
     std::array<bool, 3> flip{false, false, false};
 };
 
-/// `warp { black_hole center, radius strength S falloff F inverse }`, without repetition and turbulence.
+/// `warp { black_hole center, radius strength S falloff F inverse repeat V turbulence T }`. Along the axes of
+/// a V greater than 0 the hole is there in every block of space, moved within it by T times a random vector.
+/// Blocks are made so large, and the hole is moved so far in, that it lies within its block, unless T < 0.
 struct BlackHoleWarp {
     std::array<double, 3> center{0, 0, 0};
     double radius = 1;
     double strength = 1;
     double falloff = 2;
     bool inverse = false;
+    std::array<double, 3> repeat{0, 0, 0};
+    std::array<double, 3> turbulence{0, 0, 0};  ///< counts where anything repeats
 };
 
-/// `warp { planar axis, distance }`.
+/// `warp { planar orientation, distance }`.
 struct PlanarWarp {
-    int orientation = 2;  ///< axis 0, 1, 2
+    std::array<double, 3> orientation{0, 0, 1};  ///< of unit length
     double distance = 0;
 };
 
-/// `warp { spherical | cylindrical | toroidal orientation axis dist_exp E major_radius R }`.
+/// `warp { spherical | cylindrical | toroidal orientation V dist_exp E major_radius R }`.
 struct RoundWarp {
     /// The surface around the y axis whose longitude, latitude (of a cylinder the height) and distance become
     /// the coordinates of the pattern.
     enum class Kind { spherical, cylindrical, toroidal };
 
     Kind kind = Kind::spherical;
-    int orientation = 2;  ///< axis 0, 1, 2
+    std::array<double, 3> orientation{0, 0, 1};  ///< of unit length
     double distanceExponent = 0;
     double majorRadius = 1;  ///< of toroidal
 };

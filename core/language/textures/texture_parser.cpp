@@ -28,7 +28,7 @@ void addNotSimulated(std::vector<std::string>& list, std::string_view keyword) {
 namespace {
 
 /// Whether what is left out of a pigment is not the pattern itself.
-bool isSetting(const std::string& word) { return word == "premultiplied" || word == "map_type"; }
+bool isSetting(const std::string& word) { return word == "map_type"; }
 
 void addSentences(const Material& material, std::vector<std::string>& sentences) {
     const auto add = [&](const std::string& sentence) { addNotSimulated(sentences, sentence); };

@@ -12,14 +12,6 @@ namespace {
 
 std::array<double, 3> components(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// The axis along which a vector points most.
-int longestAxis(const glm::dvec3& v) {
-    int axis = 0;
-    for (int k = 1; k < 3; ++k)
-        if (std::abs(v[k]) > std::abs(v[axis])) axis = k;
-    return axis;
-}
-
 }  // namespace
 
 std::optional<PatternWarp> WarpParser::parse() {
@@ -53,10 +45,17 @@ PatternWarp WarpParser::parseRepeat() {
     RepeatWarp warp;
     const SourceRange start = tokens_.peek().range;
     const glm::dvec3 step = ExpressionParser(tokens_).parseVector();
-    warp.axis = longestAxis(step);
+    int count = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (step[axis] == 0) continue;
+        ++count;
+        warp.axis = axis;
+    }
     warp.width = step[warp.axis];
-    if (warp.width == 0 || !std::isfinite(warp.width)) {
-        tokens_.context().error("bad-value", start, "The step of `repeat` must not be 0.");
+    if (count != 1 || !std::isfinite(warp.width)) {
+        tokens_.context().error("bad-value", start,
+                                count > 1 ? "The step of `repeat` must go along one axis."
+                                          : "The step of `repeat` must not be 0.");
         warp.width = 1;
     }
     for (;;) {
@@ -100,17 +99,28 @@ PatternWarp WarpParser::parseBlackHole() {
             warp.falloff = expressions.parseFloat();
         else if (tokens_.accept("inverse"))
             warp.inverse = true;
+        else if (tokens_.accept("repeat"))
+            warp.repeat = components(expressions.parseVector());
+        else if (tokens_.accept("turbulence"))
+            warp.turbulence = components(expressions.parseVector());
         else
             return warp;
     }
 }
 
-int WarpParser::parseAxis() { return longestAxis(ExpressionParser(tokens_).parseVector()); }
+std::array<double, 3> WarpParser::parseOrientation() {
+    const SourceRange start = tokens_.peek().range;
+    const glm::dvec3 direction = ExpressionParser(tokens_).parseVector();
+    const double size = glm::length(direction);
+    if (size > 0 && std::isfinite(size)) return components(direction / size);
+    tokens_.context().error("bad-value", start, "An orientation must not be 0.");
+    return {0, 0, 1};
+}
 
 PatternWarp WarpParser::parsePlanar() {
     PlanarWarp warp;
     if (tokens_.peek().is("}")) return warp;
-    warp.orientation = parseAxis();
+    warp.orientation = parseOrientation();
     tokens_.accept(",");
     if (!tokens_.peek().is("}")) warp.distance = ExpressionParser(tokens_).parseFloat();
     return warp;
@@ -121,7 +131,7 @@ PatternWarp WarpParser::parseRound(RoundWarp::Kind kind) {
     warp.kind = kind;
     for (;;) {
         if (tokens_.accept("orientation"))
-            warp.orientation = parseAxis();
+            warp.orientation = parseOrientation();
         else if (tokens_.accept("dist_exp"))
             warp.distanceExponent = ExpressionParser(tokens_).parseFloat();
         else if (tokens_.accept("major_radius"))

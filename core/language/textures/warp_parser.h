@@ -24,7 +24,8 @@ class WarpParser {
     PatternWarp parseBlackHole();
     PatternWarp parsePlanar();
     PatternWarp parseRound(RoundWarp::Kind kind);
-    int parseAxis();
+    /// Of unit length.
+    std::array<double, 3> parseOrientation();
 
     TokenStream& tokens_;
 };
