@@ -96,6 +96,19 @@ bool readColors(TIFF* tiff, Raster& raster) {
     return true;
 }
 
+/// What libtiff may ask for at once: files name the sizes of their parts, and lie.
+constexpr tmsize_t memoryLimit = tmsize_t{1} << 28;
+
+std::unique_ptr<TIFF, CloseTiff> openedTiff(Source& source) {
+    TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
+    if (!options) return nullptr;
+    TIFFOpenOptionsSetMaxSingleMemAlloc(options, memoryLimit);
+    TIFF* tiff = TIFFClientOpenExt("image", "rm", &source, readSource, writeNothing, seekSource, closeSource,
+                                   sizeOfSource, nullptr, nullptr, options);
+    TIFFOpenOptionsFree(options);
+    return std::unique_ptr<TIFF, CloseTiff>(tiff);
+}
+
 /// libtiff would print what it finds wrong.
 void keepQuiet() {
     TIFFSetErrorHandler(nullptr);
@@ -109,9 +122,7 @@ void keepQuiet() {
 std::optional<Raster> decodeTiff(std::span<const std::uint8_t> bytes) {
     keepQuiet();
     Source source{bytes};
-    const std::unique_ptr<TIFF, CloseTiff> tiff(TIFFClientOpen("image", "rm", &source, readSource,
-                                                               writeNothing, seekSource, closeSource,
-                                                               sizeOfSource, nullptr, nullptr));
+    const std::unique_ptr<TIFF, CloseTiff> tiff = openedTiff(source);
     if (!tiff) return std::nullopt;
     std::uint32_t width = 0, height = 0;
     TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);

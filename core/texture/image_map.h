@@ -36,6 +36,9 @@ struct ImageMap {
     bool hasAlpha = false;  ///< the file may say what is transparent, as POV-Ray sees it
 };
 
+/// Settings of an image add no more than that to transparency, and no less than its negative.
+constexpr float transparencyLimit = 1e6F;
+
 /// What an image of darkened colours divides a sample's by; 1 for others, and where all is transmitted.
 float darkeningOf(const ImageMap& image, const ImageMap::Sample& sample);
 

@@ -10,6 +10,9 @@ namespace isoscope {
 
 namespace {
 
+/// More than transparencyLimit, and than a colour over the smallest alpha of single precision.
+constexpr double endless = 1e9;
+
 double gray(const Color& color) { return 0.297 * color.red + 0.589 * color.green + 0.114 * color.blue; }
 
 }  // namespace
@@ -132,17 +135,29 @@ Interval ImageTable::rangeIn(const std::array<Interval, 3>& box) const {
     return isWithin ? inside : hull(inside, Interval::point(value({NAN, NAN, 0})));
 }
 
-// Cubic interpolation overshoots by at most a quarter in each direction; settings may add to transparency
-// what they like.
+/// Whether values may be far from 0 to 1: settings add to transparency what they like, and colours that are
+/// divided by alpha grow.
+bool ImageTable::isEndless() const {
+    switch (channel_) {
+        case ImageChannel::filter:
+        case ImageChannel::transmit: return true;
+        case ImageChannel::red:
+        case ImageChannel::green:
+        case ImageChannel::blue: return image_.darkened;
+        default: return false;
+    }
+}
+
+// Cubic interpolation overshoots by at most a quarter in each direction.
 double ImageTable::low() const {
-    const bool endless = channel_ == ImageChannel::filter || channel_ == ImageChannel::transmit;
-    return endless ? -1e6 : image_.interpolation == ImageInterpolation::bicubic && !isCutOff() ? -1 : 0;
+    if (isEndless()) return -endless;
+    return image_.interpolation == ImageInterpolation::bicubic && !isCutOff() ? -1 : 0;
 }
 
 double ImageTable::high() const {
-    const bool endless = channel_ == ImageChannel::filter || channel_ == ImageChannel::transmit;
+    if (isEndless()) return endless;
     if (channel_ == ImageChannel::index) return 255;
-    return endless ? 1e6 : image_.interpolation == ImageInterpolation::bicubic && !isCutOff() ? 2 : 1;
+    return image_.interpolation == ImageInterpolation::bicubic && !isCutOff() ? 2 : 1;
 }
 
 Expression imageValue(const std::shared_ptr<const ImageMap>& image, ImageChannel channel,

@@ -48,6 +48,7 @@ class ImageTable : public PointTable {
     double joined(double u, double v) const;
     double sample(int column, int row) const;
     double channelOf(const Color& color) const;
+    bool isEndless() const;
     bool isGray() const {
         return channel_ == ImageChannel::storedGray || channel_ == ImageChannel::patternGray;
     }

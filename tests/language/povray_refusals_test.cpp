@@ -95,6 +95,22 @@ class PovrayRefusalsTest : public QObject {
         QCOMPARE(generator(1), 0);
     }
 
+    /// They were taken for the nearest that there is, without a word.
+    void numbersThatPatternsDoNotKnowAreTold() {
+        const auto refusals = [](const std::string& pattern) {
+            const ParseResult parsed = parseScene("sphere { 0, 1 pigment { " + pattern + " } }");
+            return std::ranges::count(parsed.diagnostics, "povray-refuses", &Diagnostic::id);
+        };
+        for (const char* wrong : {"mandel 9 exterior 7, 1", "mandel 9 exterior -1, 1",
+                                  "mandel 9 interior 7, 1", "magnet 3 mandel 9"})
+            QVERIFY2(refusals(wrong) == 1, wrong);
+        for (const char* right :
+             {"mandel 9 exterior 6, 1 interior 6, 1", "mandel 9 exterior 1.5, 1", "magnet 2 mandel 9"})
+            QVERIFY2(refusals(right) == 0, right);
+        QVERIFY(!parseScene("sphere { 0, 1 pigment { bozo warp { repeat <1, 0.5, 0> } } }").ok());
+        QVERIFY(!parseScene("sphere { 0, 1 pigment { bozo warp { planar 0, 1 } } }").ok());
+    }
+
     void whatIsTooMuchOrMissingIsMendedByAClick() {
         const auto mended = [](const std::string& text) {
             const ParseResult parsed = parseScene(text);

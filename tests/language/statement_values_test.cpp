@@ -255,7 +255,7 @@ class StatementValuesTest : public QObject {
         row("wood warp { black_hole <1, 2, 3>, 0.5 strength 2 falloff 3 inverse }",
             "wood, (black_hole 1 2 3, 0.5 2 3 repeat 0 0 0 turbulence 0 0 0 inverse)");
         row("wood warp { black_hole 0, 1 turbulence x inverse repeat <4, 0, 5> falloff 1 }",
-            "wood, (black_hole 0 0 0, 1 1 1 repeat 4 0 5 turbulence 1 0 0 inverse)");
+            "wood, (black_hole 1 0 1, 1 1 1 repeat 4 0 5 turbulence 1 0 0 inverse)");
         row("wood warp { planar y, 0.5 }", "wood, (planar 0 1 0 0.5)");
         row("wood warp { planar }", "wood, (planar 0 0 1 0)");
         row("wood warp { spherical }", "wood, (round 0 0 0 1 0 1)");

@@ -107,18 +107,14 @@ PatternPoint wayFromHole(const BlackHoleWarp& warp, const PatternPoint& p) {
     PatternPoint way, block;
     bool repeats = false;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        double center = warp.center[axis];
         way[axis] = p[axis];
         block[axis] = p[axis].number(0);
         if (warp.repeat[axis] > 0) {
             repeats = true;
-            center = std::max(center, warp.radius);
-            const double width =
-                std::max(warp.repeat[axis], center + warp.radius + std::max(warp.turbulence[axis], 0.0));
-            block[axis] = floor(p[axis] / width);
-            way[axis] = p[axis] - block[axis] * width;
+            block[axis] = floor(p[axis] / warp.repeat[axis]);
+            way[axis] = p[axis] - block[axis] * warp.repeat[axis];
         }
-        way[axis] = way[axis] - center;
+        way[axis] = way[axis] - warp.center[axis];
     }
     if (!repeats || warp.turbulence == std::array<double, 3>{0, 0, 0}) return way;
     const PatternPoint moved = blockVector(block);

@@ -34,8 +34,8 @@ struct RepeatWarp {
 };
 
 /// `warp { black_hole center, radius strength S falloff F inverse repeat V turbulence T }`. Along the axes of
-/// a V greater than 0 the hole is there in every block of space, moved within it by T times a random vector.
-/// Blocks are made so large, and the hole is moved so far in, that it lies within its block, unless T < 0.
+/// a V greater than 0 the hole is there in every block of space of that width, moved within it by T times a
+/// random vector.
 struct BlackHoleWarp {
     std::array<double, 3> center{0, 0, 0};
     double radius = 1;

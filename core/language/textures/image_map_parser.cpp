@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/language/directives/asset_file.h"
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/scene_draft.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/texture/image_file.h"
 
 namespace isoscope {
@@ -159,7 +161,8 @@ void ImageMapParser::parseTransparency(std::size_t channel) {
     if (!tokens_.accept("all"))
         transparency.index = static_cast<int>(std::clamp(expressions.parseFloat(), -1.0, 256.0));
     tokens_.accept(",");
-    transparency.amount = static_cast<float>(expressions.parseFloat());
+    const double amount = expressions.parseFloat(), limit = transparencyLimit;
+    if (std::isfinite(amount)) transparency.amount = static_cast<float>(std::clamp(amount, -limit, limit));
     transparencies_.push_back(transparency);
 }
 
@@ -168,11 +171,10 @@ void ImageMapParser::makeTransparent(ImageMap& image) const {
     auto samples = std::make_shared<std::vector<ImageMap::Sample>>(*image.samples);
     for (const Transparency& transparency : transparencies_) {
         if (transparency.index && !image.indices) {
-            tokens_.context().error(
-                "no-palette", range_,
-                "The image `" + name_ + "` has no palette whose entry could be transparent.",
-                "say `all` for the whole image");
-            return;
+            warnOfRefusal(tokens_.context(), range_,
+                          "wants a palette in `" + name_ + "` for the number of a colour.",
+                          "say `all` for the whole image");
+            continue;
         }
         for (std::size_t i = 0; i < samples->size(); ++i) {
             ImageMap::Sample& sample = (*samples)[i];
@@ -180,7 +182,8 @@ void ImageMapParser::makeTransparent(ImageMap& image) const {
             float& value = sample[transparency.channel];
             // What the alpha channel lets through is let through as well; a palette's entries are replaced.
             if (!transparency.index)
-                value = transparency.amount + (image.indices ? 0 : value);
+                value = std::clamp(transparency.amount + (image.indices ? 0 : value), -transparencyLimit,
+                                   transparencyLimit);
             else if ((*image.indices)[i] == *transparency.index)
                 value = transparency.amount;
             for (std::size_t c = 0; c < 3; ++c) sample[c] *= darkening / darkeningOf(image, sample);

@@ -146,8 +146,18 @@ bool PatternReader::parseFractal(const Token& name) {
     return true;
 }
 
+int PatternReader::parseChoice(const std::string& name, int first, int last) {
+    const SourceRange start = tokens_.peek().range;
+    const double value = ExpressionParser(tokens_).parseFloat();
+    if (!(value >= first && value < last + 1))
+        warnOfRefusal(tokens_.context(), rangeSince(start, tokens_),
+                      "wants " + std::to_string(first) + " to " + std::to_string(last) + " for " + name + ".",
+                      "write " + std::to_string(first));
+    return wholeNumber(value, first, last);
+}
+
 bool PatternReader::parseMagnet() {
-    pattern.magnetType = wholeNumber(ExpressionParser(tokens_).parseFloat(), 1, 2);
+    pattern.magnetType = parseChoice("the type of `magnet`", 1, 2);
     const Token name = tokens_.peek();
     if (!parseFractal(name)) {
         tokens_.context().error("unknown-pattern", name.range,
@@ -336,7 +346,7 @@ bool PatternReader::parseCrackleModifier(const Token& word) {
 FractalColoring PatternReader::parseColoring() {
     ExpressionParser expressions(tokens_);
     FractalColoring coloring;
-    coloring.type = wholeNumber(expressions.parseFloat(), 0, 100);
+    coloring.type = parseChoice("the colouring of a fractal", 0, 6);
     tokens_.accept(",");
     coloring.factor = expressions.parseFloat();
     return coloring;

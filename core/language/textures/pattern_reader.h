@@ -35,6 +35,8 @@ class PatternReader {
     bool parseSpecialName(const Token& name);
     void parseNameArguments();
     bool parseFractal(const Token& name);
+    /// A whole number; POV-Ray refuses those beyond, which is told.
+    int parseChoice(const std::string& name, int first, int last);
     bool parseMagnet();
     bool parseFunctionPattern();
     bool parseObjectPattern();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/textures/warp_parser.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,6 +12,17 @@ namespace isoscope {
 namespace {
 
 std::array<double, 3> components(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+/// Blocks are made so large, and the hole is moved so far in, that it lies within its block. POV-Ray does so
+/// at each word, with what it has read until then (measured).
+void fitBlocks(BlackHoleWarp& warp) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!(warp.repeat[axis] > 0)) continue;
+        warp.center[axis] = std::max(warp.center[axis], warp.radius);
+        warp.repeat[axis] =
+            std::max(warp.repeat[axis], warp.center[axis] + warp.radius + warp.turbulence[axis]);
+    }
+}
 
 }  // namespace
 
@@ -99,11 +111,13 @@ PatternWarp WarpParser::parseBlackHole() {
             warp.falloff = expressions.parseFloat();
         else if (tokens_.accept("inverse"))
             warp.inverse = true;
-        else if (tokens_.accept("repeat"))
+        else if (tokens_.accept("repeat")) {
             warp.repeat = components(expressions.parseVector());
-        else if (tokens_.accept("turbulence"))
+            fitBlocks(warp);
+        } else if (tokens_.accept("turbulence")) {
             warp.turbulence = components(expressions.parseVector());
-        else
+            fitBlocks(warp);
+        } else
             return warp;
     }
 }
