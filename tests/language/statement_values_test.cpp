@@ -234,7 +234,6 @@ class StatementValuesTest : public QObject {
         row("magnet 2 mandel 15", "magnet mandel, iterations 15, magnet 2");
         row("magnet 1 julia <0.1, 0.2>, 20 exterior 0, 3",
             "magnet julia, iterations 20, exterior 0 3, point 0.1 0.2");
-        row("magnet 3 mandel 15", "magnet mandel, iterations 15, magnet 2");
         row("quilted control0 0.25 control1 0.75", "quilted, control0 0.25, control1 0.75");
         row("spiral1 3", "spiral1, arms 3");
         row("spiral2 20000", "spiral2, arms 10000");
