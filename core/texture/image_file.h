@@ -24,10 +24,9 @@ struct ImageColors {
     std::optional<bool> darkened;
 };
 
-/// Reads an image in the colours of the scene, as POV-Ray 3.7 does (measured): other images that say nothing
-/// of their gamma are taken as they are. Grey PNG images of 8 bits have 8 bits then, too, and colours of TIFF
-/// images 8. What is not opaque transmits. Nothing, and the reason in `problem`, when the file cannot be
-/// read. What readRaster() knows.
+/// Reads an image, of the kinds of readRaster(), in the colours of the scene, as POV-Ray 3.7 does
+/// (docs/povray/patterns.md, kinds of image files). What is not opaque transmits. Nothing, and the reason in
+/// `problem`, when the file cannot be read.
 std::optional<ImageMap> readImageMap(const std::filesystem::path& file, const ImageColors& colors,
                                      std::string& problem);
 

@@ -135,8 +135,8 @@ Interval ImageTable::rangeIn(const std::array<Interval, 3>& box) const {
     return isWithin ? inside : hull(inside, Interval::point(value({NAN, NAN, 0})));
 }
 
-/// Whether values may be far from 0 to 1: settings add to transparency what they like, and colours that are
-/// divided by alpha grow.
+/// Whether values may be far from 0 to 1: settings add up to transparencyLimit to transparency, and
+/// colours that are divided by alpha grow.
 bool ImageTable::isEndless() const {
     switch (channel_) {
         case ImageChannel::filter:

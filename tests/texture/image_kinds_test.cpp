@@ -42,6 +42,29 @@ class ImageKindsTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// Values were infinite, or above the bounds that enclosures rely on.
+    void transparencyBeyondReasonStaysWithinBounds() {
+        ParseOptions options;
+        options.libraryPaths = {ISOSCOPE_TEST_DATA "/texture/kinds"};
+        for (const std::string settings :
+             {"premultiplied on transmit all 1e300", "premultiplied on transmit all -1e300",
+              "premultiplied on filter all 1e400", "premultiplied on transmit all 0.999999",
+              "premultiplied on"})
+            for (const std::string part : parts) {
+                const ParseResult surface =
+                    parseScene("#declare F = function { pigment { image_map { png \"rgba16.png\" " +
+                                   settings + " } } }\nisosurface { function { F(x, y, z)." + part + " } }",
+                               options);
+                QVERIFY2(surface.ok(), test::problems(surface).c_str());
+                PointEvaluator points(surface.scene->isosurfaces.front().shape->tape(),
+                                      *surface.scene->parameterTable);
+                for (double x = 0.03; x < 1; x += 0.06) {
+                    const double value = points.evaluate(x, 0.5, 0);
+                    QVERIFY2(std::abs(value) <= 1e9, (settings + " " + part).c_str());
+                }
+            }
+    }
+
     void isWhatPovraySees() {
         const test::CsvTable table(QStringLiteral(ISOSCOPE_TEST_DATA "/texture/kinds.csv"));
         QVERIFY(table.rowCount() > 1000);

@@ -133,7 +133,7 @@ PatternPoint warped(const BlackHoleWarp& warp, const PatternPoint& p) {
     return result;
 }
 
-/// What is left of a sum of multiples.
+/// The sum of the expressions times their factors, without those of factor 0.
 Expression sumOf(std::initializer_list<std::pair<double, Expression>> parts) {
     std::optional<Expression> sum;
     for (const auto& [factor, part] : parts) {

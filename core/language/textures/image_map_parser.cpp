@@ -82,10 +82,10 @@ std::shared_ptr<const ImageMap> ImageMapParser::read() {
     const bool isNew = context.languageVersion >= 370;
     const ImageColors colors{context.assumedGamma, gamma_, isNew || context.hasAssumedGamma, isNew,
                              premultiplied_};
-    std::string key = file_.string();
-    for (const double part : {colors.assumedGamma, gamma_.value_or(-1), double(colors.trustsFile),
-                              double(isNew), premultiplied_ ? double(*premultiplied_) : -1})
-        key += "|" + std::to_string(part);
+    std::string key = file_.string() + "|" + std::to_string(colors.assumedGamma) + "|" +
+                      std::to_string(gamma_.value_or(-1)) + (colors.trustsFile ? "|trusted" : "|") +
+                      (isNew ? "|new" : "|");
+    if (premultiplied_) key += *premultiplied_ ? "|darkened" : "|plain";
     std::shared_ptr<const ImageMap>& known = context.images[key];
     if (!known) {
         std::string problem;
