@@ -29,7 +29,8 @@ std::size_t shownAtOnce(const Material& material) {
             shown = all ? shown + own : std::max(shown, most + own);
             most = std::max(most, own);
         }
-        if (kind == MapKind::list || kind == MapKind::sides) shown = most;
+        const bool single = kind == MapKind::list && keepsWholeNumbers(material.map->pattern);
+        if (single || kind == MapKind::sides) shown = most;
     }
     for (const Material& layer : material.below) shown += shownAtOnce(layer);
     return shown;

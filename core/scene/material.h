@@ -38,6 +38,7 @@ struct Finish {
     bool conserveEnergy = false;
     double irid = 0;  ///< how much a thin film adds to or takes from the diffuse light
     double iridThickness = 0;
+    double iridTurbulence = 0;  ///< how much the thickness differs from place to place
     /// Keywords of the scene that have no effect here ("subsurface"), for the list of what was left out.
     std::vector<std::string> notSimulated;
 
@@ -71,7 +72,7 @@ struct Material {
     std::shared_ptr<const SurfaceNormal> normal;  ///< null: the shape's own
     Transform normalTransform;                    ///< as pigmentTransform
     Finish finish;
-    std::vector<std::string> notSimulated;  ///< as in Finish: "tiling"
+    std::vector<std::string> notSimulated;  ///< as in Finish: "pavement"
 
     /// The textures that lie under this one, from the outside in; they show where it is transparent.
     std::vector<Material> below;
@@ -98,6 +99,8 @@ struct Material {
     std::shared_ptr<const ImageMap> image;
     /// The normal at a point, in arguments 0 to 2, where the shape's is arguments 3 to 5.
     std::shared_ptr<const Tape> normalTape;
+    /// How thick the film of the finish is at a point of the world; null when it is the same everywhere.
+    std::shared_ptr<const Tape> filmTape;
     /// The value of the pattern of `map`.
     std::shared_ptr<const Tape> mapTape;
     /// Of `map` its entries, else this one without the layers below, and those; empty for a single texture.

@@ -14,8 +14,8 @@ namespace isoscope {
 /// Colour all over.
 struct SolidPigment {
     Color color{0, 0, 0, 0, 0};
-    /// What this one colour stands for, when the scene asked for something that is not simulated ("tiling");
-    /// empty when it asked for a colour.
+    /// What this one colour stands for, when the scene asked for something that is not simulated
+    /// ("pavement"); empty when it asked for a colour.
     std::string standsFor;
 };
 

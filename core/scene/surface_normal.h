@@ -18,7 +18,8 @@ enum class NormalKind {
     waves,
     wrinkles,
     image,  ///< `bump_map`: by the grey of SurfaceNormal::image
-    map     ///< the entries of a normal_map or list, chosen by the pattern
+    map,    ///< the entries of a normal_map or list, chosen by the pattern
+    facets  ///< the same all over a cell of crackle (FacetSettings)
 };
 
 /// An entry of a `slope_map`: height and slope at a position.
@@ -26,6 +27,13 @@ struct SlopeEntry {
     double position = 0;
     double height = 0;
     double slope = 0;
+};
+
+/// `facets size S coords C`: flat places of a size of about S. Without C normals are those of a few
+/// directions, in S for the length of a step; else they are bent by C times a random vector for each place.
+struct FacetSettings {
+    double size = 0.1;  ///< nothing is bent by one that is not above 0
+    double coords = 0;
 };
 
 /// A `normal { ... }`: immutable and shared.
@@ -42,6 +50,7 @@ struct SurfaceNormal {
     double amount = 0.5;
     double accuracy = 0.02;
     bool scaled = true;  ///< the bumps grow with transformations; false for `no_bump_scale`
+    FacetSettings facets;
     std::vector<SlopeEntry> slopes;
     std::shared_ptr<const ImageMap> image;
     bool onSurface = false;  ///< as MappedPigment::onSurface

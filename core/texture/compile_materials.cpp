@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/texture/film_function.h"
 #include "core/texture/normal_function.h"
 #include "core/texture/pigment_function.h"
 #include "core/texture/transparency.h"
@@ -58,6 +59,8 @@ class MaterialCompiler {
             if (!compiled.tape) material.pigment = compiled.solid;
         }
         if (material.normal && !material.normal->flat) material.normalTape = normal(material.normal);
+        if (material.finish.irid != 0 && material.finish.iridTurbulence != 0)
+            material.filmTape = compiled(filmFunction(material.finish, settings_.noiseGenerator));
     }
 
     void compileMap(std::size_t id, const std::shared_ptr<const MappedTexture>& pointer) {

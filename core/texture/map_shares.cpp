@@ -24,10 +24,6 @@ void findMapShares(const MappedTexture& map, double value, std::vector<MapShare>
     const std::size_t last = entries.size() - 1;
     if (std::isnan(value)) value = 0;
     if (map.kind == MapKind::average) return findAverage(map, shares);
-    if (map.kind == MapKind::list) {
-        const double whole = std::clamp(std::round(value), 0.0, static_cast<double>(last));
-        return shares.push_back({static_cast<std::size_t>(whole), 1});
-    }
     if (value >= entries[last].position) return shares.push_back({last, 1});
     std::size_t k = 0;
     while (k < last && value > entries[k].position) ++k;

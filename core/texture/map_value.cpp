@@ -57,6 +57,10 @@ Expression averaged(Positions weights, Choices choices) {
 
 }  // namespace
 
+MapKind lookupOf(MapKind kind, const Pattern& pattern) {
+    return kind == MapKind::list && !keepsWholeNumbers(pattern) ? MapKind::blend : kind;
+}
+
 Expression mapValue(MapKind kind, Expression value, Positions positions, Choices choices) {
     switch (kind) {
         case MapKind::average: return averaged(positions, choices);

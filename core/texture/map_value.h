@@ -8,6 +8,10 @@
 
 namespace isoscope {
 
+/// How such a map looks up the values of its pattern: a list blends neighbours where frequency, phase or wave
+/// form lead between its whole numbers, as POV-Ray does.
+MapKind lookupOf(MapKind kind, const Pattern& pattern);
+
 /// What a map makes of the value of its pattern, for one channel: `choices` are the entries' own values
 /// there, at `positions` (weights of MapKind::average, which asks for no value). At least one entry.
 ///

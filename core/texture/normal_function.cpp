@@ -8,6 +8,7 @@
 #include "core/function/builtins/formula_blocks.h"
 #include "core/function/patterns/wave_sources.h"
 #include "core/function/surface_variables.h"
+#include "core/texture/facet_table.h"
 #include "core/texture/image_table.h"
 #include "core/texture/map_value.h"
 #include "core/texture/surface_needs.h"
@@ -73,9 +74,10 @@ class NormalBuilder {
         // Normals go inward by the inverse transpose, and back by the transpose.
         const Vector turned = multiplied(glm::transpose(glm::inverse(inward)), normal);
         const Vector start = normal_.scaled ? unit(turned) : turned;
-        const Vector bent = normal_.flat ? start
-                            : normal_.kind == NormalKind::map
-                                ? mapped(start)
+        const Vector bent = normal_.flat                      ? start
+                            : normal_.kind == NormalKind::map ? mapped(start)
+                            : normal_.kind == NormalKind::facets
+                                ? faceted(unit(start))
                                 : plus(start, times(bend(start), normal_.amount));
         return unit(multiplied(glm::transpose(inward), bent));
     }
@@ -97,6 +99,30 @@ class NormalBuilder {
             case NormalKind::image: return imageBumps(unit(start));
             default: return slope();
         }
+    }
+
+    /// The same all over a cell of crackle: of the normals, or of space.
+    Vector faceted(const Vector& start) const {
+        const auto [size, coords] = normal_.facets;
+        if (!(size > 0)) return start;
+        if (coords == 0) return cellPoint(times(start, 1 / size));
+        const Vector random = vectorNoise(cellPoint(times(at_, 1 / size)), 1);
+        const Expression along = start[0] * random[0] + start[1] * random[1] + start[2] * random[2];
+        return plus(start, times(plus(random, times(start, -along)), coords));
+    }
+
+    /// The nearest cell point of crackle.
+    Vector cellPoint(const Vector& point) const {
+        FunctionGraph& graph = point[0].graph();
+        Vector result;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            CrackleSettings settings;
+            settings.table = std::make_shared<const FacetTable>(axis, pattern_.crackle.metric);
+            const NodeId fromCorner =
+                graph.crackle(settings, point[0].node(), point[1].node(), point[2].node());
+            result[axis] = floor(point[axis]) + Expression(graph, fromCorner);
+        }
+        return result;
     }
 
     /// Away from the middle of each unit cube, by the curve of the pattern of that name.
@@ -211,7 +237,7 @@ class NormalBuilder {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             std::vector<Expression> choices;
             for (const Vector& normal : normals) choices.push_back(normal[axis]);
-            result[axis] = mapValue(normal_.mapKind, value, positions, choices);
+            result[axis] = mapValue(lookupOf(normal_.mapKind, pattern_), value, positions, choices);
         }
         return result;
     }

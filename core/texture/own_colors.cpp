@@ -54,6 +54,7 @@ std::vector<MappedPigment::Entry> ownColors(PatternKind kind) {
         case PatternKind::brick: return entriesOf({{0, 0.5, 0.5, 0.5}, {1, 0.6, 0.15, 0.15}});
         case PatternKind::checker: return entriesOf({{0, 0, 0, 1}, {1, 0, 1, 0}});
         case PatternKind::cubic:
+        case PatternKind::triangular:
             return entriesOf(
                 {{0, 1, 0, 0}, {1, 0, 1, 0}, {2, 0, 0, 1}, {3, 1, 1, 0}, {4, 0, 1, 1}, {5, 1, 0, 1}});
         case PatternKind::hexagon: return entriesOf({{0, 0, 0, 1}, {1, 0, 1, 0}, {2, 1, 0, 0}});

@@ -2,6 +2,7 @@
 #include "core/texture/pigment_function.h"
 
 #include "core/function/surface_variables.h"
+#include "core/image/brightness.h"
 #include "core/texture/image_table.h"
 #include "core/texture/map_value.h"
 #include "core/texture/own_colors.h"
@@ -60,7 +61,7 @@ ColorExpression mappedColor(const MappedPigment& pigment, const PatternPoint& po
     for (std::size_t channel = 0; channel < result.size(); ++channel) {
         std::vector<Expression> choices;
         for (const ColorExpression& color : colors) choices.push_back(color[channel]);
-        result[channel] = mapValue(pigment.kind, value, positions, choices);
+        result[channel] = mapValue(lookupOf(pigment.kind, pattern), value, positions, choices);
     }
     return result;
 }
@@ -73,9 +74,7 @@ ColorExpression pigmentColor(const Pigment& pigment, const PatternPoint& point,
     return mappedColor(*std::get<std::shared_ptr<const MappedPigment>>(pigment), point, settings);
 }
 
-Expression grayOf(const ColorExpression& color) {
-    return 0.297 * color[0] + 0.589 * color[1] + 0.114 * color[2];
-}
+Expression grayOf(const ColorExpression& color) { return brightness(color[0], color[1], color[2]); }
 
 PatternPoint surfacePoint(FunctionGraph& graph) {
     return {surfaceVariable(graph, surface_variable::place, 0),

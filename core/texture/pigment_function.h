@@ -22,7 +22,7 @@ struct PatternSettings {
 ColorExpression pigmentColor(const Pigment& pigment, const PatternPoint& point,
                              const PatternSettings& settings);
 
-/// Its brightness: 0.297 red + 0.589 green + 0.114 blue.
+/// Its brightness().
 Expression grayOf(const ColorExpression& color);
 
 /// The point <u, v, 0> of the surface that a texture of this graph is on.

@@ -173,6 +173,13 @@ class ExpressionParserTest : public QObject {
         near("vrotate(x, <0, 0, 90>)", {0, 1, 0});
         near("vrotate(<1, 2, 3>, <10, 20, 30>)", {1.067425379, 2.289059483, 2.760581414});
         near("vaxis_rotate(x, y, 90)", {0, 0, -1});
+        near("vturbulence(2.5, 0.3, 3, <-2.449, -0.046, -0.505>)",
+             {0.379763245219, -0.380139686125, -0.114957717044});
+        // Octaves beyond 1 to 10 count as these.
+        near("vturbulence(2, 0.5, 12, <2.623, -4.979, -0.546>)",
+             {-0.342169012552, 0.176880804702, -0.061147390403});
+        near("vturbulence(2, 0.5, -1, <0.414, 4.391, -1.188>)",
+             {-0.083715826725, 0.265312009429, -0.122615685653});
         near("vaxis_rotate(<1, 2, 3>, <1, 1, 1>, 40)", {1.605069156, 1.257772801, 3.137158043});
     }
 
@@ -301,7 +308,6 @@ class ExpressionParserTest : public QObject {
             "1:1: error: `substr` asks for characters outside the string, which has 3.");
         row("chr(-1)", "1:1: error: `chr` needs the number of a character, 0 to 65535.");
         row("dimensions(Q)", "1:12: error: `dimensions` asks for an array, but this is not declared.");
-        row("vturbulence(2, 0.5, 3, x)", "1:1: left out: `vturbulence()` is not simulated.");
         row("rgb <1, 2, 3, 4>", "1:1: error: `rgb` expects 3 components, but this has 4.");
         row("rgb <1, 2, 3, 4, 5>",
             "1:1: warning: `rgb` expects 3 components, but all 5 of this color are taken.");

@@ -137,6 +137,7 @@ std::string description(const Finish& finish) {
     all.add("conserves energy", finish.conserveEnergy, usual.conserveEnergy);
     all.add("irid", finish.irid, usual.irid);
     all.add("thickness", finish.iridThickness, usual.iridThickness);
+    all.add("turbulence", finish.iridTurbulence, usual.iridTurbulence);
     for (const std::string& word : finish.notSimulated) all.put("without " + word);
     return all.text();
 }
@@ -268,7 +269,7 @@ class StatementValuesTest : public QObject {
         row("uv_mapping radial", "radial uv");
         row("granite quick_color rgb 1", "granite");
         row("object { sphere { 0, 1 } color rgb 1 color rgb 0.5 }",
-            "function list [0 1 1 1] [1 0.5 0.5 0.5]");
+            "function, frequency 0 list [0 1 1 1] [1 0.5 0.5 0.5]");
         row("pigment_pattern { gradient x } color_map { [0 rgb 0] [1 rgb 1] }",
             "function [0 0 0 0] [1 1 1 1]");
     }
@@ -310,7 +311,7 @@ class StatementValuesTest : public QObject {
         row("reflection_exponent 2", "exponent 2");
         row("irid { 0.25 thickness 0.5 }", "irid 0.25, thickness 0.5");
         row("irid { 0.25 thickness 0.5 turbulence 0 }", "irid 0.25, thickness 0.5");
-        row("irid { 0.25 turbulence 0.5 } phong 0.3", "phong 0.3, irid 0.25, without irid turbulence");
+        row("irid { 0.25 turbulence 0.5 } phong 0.3", "phong 0.3, irid 0.25, turbulence 0.5");
         row("subsurface { translucency 0.5 } phong 0.3", "phong 0.3, without subsurface");
         row("ior 1.5 phong 0.3", "phong 0.3, without ior");
         row("use_alpha on phong 0.3", "phong 0.3, without use_alpha");

@@ -84,6 +84,9 @@ class TokenStreamTest : public QObject {
             ("end | " + std::string(kept) +
              "; 1:108: note: 1.5a b; 1:152: note: 1.0000000 2.5000000 0.3333330")
                 .c_str());
+        row("#if (file_exists(\"f\")) a #end #fopen F \"f\" write #fclose F "
+            "#if (file_exists(\"f\")) b #end",
+            "b | 1:31: note: `f` is not written until you allow it; the picture is the same.");
         row("#fopen F \"f\" write #write (F, \"a b\") #fclose F #include \"f\" c",
             ("a b c | " + std::string(kept)).c_str());
     }

@@ -93,7 +93,9 @@ Expression rawValue(const PatternCall& call) {
         case PatternKind::checker:
         case PatternKind::cubic:
         case PatternKind::hexagon:
-        case PatternKind::square: return tilePattern(call);
+        case PatternKind::square:
+        case PatternKind::tiling:
+        case PatternKind::triangular: return tilePattern(call);
         case PatternKind::mandel:
         case PatternKind::julia:
         case PatternKind::magnetMandel:
@@ -151,9 +153,14 @@ WaveForm defaultWave(PatternKind kind) {
     }
 }
 
+double frequencyOf(const Pattern& pattern) {
+    const bool isNone = isDiscrete(pattern.kind) || pattern.kind == PatternKind::quilted;
+    return singlePrecision(pattern.frequency.value_or(isNone ? 0 : 1));
+}
+
 /// Steps 3 and 4 of the pipeline. The modulus 1.00001 lets a value of exactly 1 survive.
 Expression wrappedToUnit(const Pattern& pattern, Expression value) {
-    const double frequency = singlePrecision(pattern.frequency.value_or(isDiscrete(pattern.kind) ? 0 : 1));
+    const double frequency = frequencyOf(pattern);
     const double phase = singlePrecision(pattern.phase.value_or(0));
     const bool unchanged = frequency == 1 && phase == 0;
     if (staysInUnitRange(pattern) && (unchanged || frequency == 0)) return value;
@@ -186,9 +193,14 @@ bool isDiscrete(PatternKind kind) {
         case PatternKind::checker:
         case PatternKind::cubic:
         case PatternKind::hexagon:
-        case PatternKind::square: return true;
+        case PatternKind::square:
+        case PatternKind::triangular: return true;
         default: return false;
     }
+}
+
+bool keepsWholeNumbers(const Pattern& pattern) {
+    return frequencyOf(pattern) == 0 && pattern.wave.value_or(WaveForm::ramp) == WaveForm::ramp;
 }
 
 /// What is written last is nearest to the world, so it comes first; the classic turbulence is nearest to the

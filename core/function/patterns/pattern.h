@@ -43,6 +43,8 @@ enum class PatternKind {
     cubic,
     quilted,
     square,
+    triangular,
+    tiling,
     julia,
     magnetMandel,
     magnetJulia,
@@ -84,7 +86,7 @@ struct Pattern {
     PatternKind kind = PatternKind::bozo;
     std::optional<WaveForm> wave;  ///< default: triangle for marble, wood, spiral1, spiral2, else ramp
     double waveExponent = 1;
-    std::optional<double> frequency;  ///< default 1; 0 for checker, brick, hexagon
+    std::optional<double> frequency;  ///< default 1; 0 for quilted, and where isDiscrete()
     std::optional<double> phase;
     std::optional<std::array<double, 3>> turbulence;
     int octaves = 6;
@@ -108,6 +110,7 @@ struct Pattern {
     Function function;               ///< of PatternKind::function: one result, three arguments
     std::vector<PatternWarp> warps;  ///< transformations and warps in the order in which they are written
     int arms = 2;                    ///< of spiral1, spiral2
+    int tiling = 1;                  ///< number 1 to tilingCount (tilings.h)
     int numberOfWaves = 10;
 };
 
@@ -126,8 +129,11 @@ Expression buildPattern(const Pattern& pattern, Expression x, Expression y, Expr
 PatternPoint patternPoint(const Pattern& pattern, const PatternPoint& point);
 Expression patternValue(const Pattern& pattern, const PatternPoint& at, int sceneNoiseGenerator);
 
-/// Whether the values are whole numbers that count the entries of a list: checker, brick, hexagon, square,
-/// cubic.
+/// Whether the raw values are whole numbers that count the entries of a list: checker, brick, hexagon,
+/// square, cubic, triangular.
 bool isDiscrete(PatternKind kind);
+
+/// Whether frequency, phase and wave form leave such numbers as they are.
+bool keepsWholeNumbers(const Pattern& pattern);
 
 }  // namespace isoscope

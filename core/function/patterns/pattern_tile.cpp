@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patterns of discrete values: brick, checker, cubic, hexagon, square.
+// Patterns of discrete values: brick, checker, cubic, hexagon, square, triangular; and tilings.
+#include <algorithm>
+#include <cmath>
+
 #include "core/function/patterns/pattern_call.h"
+#include "core/function/patterns/tilings.h"
 
 namespace isoscope {
 
@@ -81,6 +85,55 @@ Expression square(const PatternCall& call) {
     return select(x - 0.5, z, 3 - z);
 }
 
+/// Triangles of the xz plane with sides of 1 in six colours, those that point to +z and the others by turns.
+/// Measured on POV-Ray 3.7.
+Expression triangular(const PatternCall& call) {
+    constexpr double height = 0.86602540378443864676;  // sqrt(3)/2
+    const Expression up = call.z / height, right = call.x - up / 2;
+    const Expression row = floor(up), column = floor(right);
+    const Expression third = wholeModulo(column - row, 3);
+    const auto ofThird = [&](double first, double second, double last) {
+        return select(third - 0.5, call.number(first),
+                      select(third - 1.5, call.number(second), call.number(last)));
+    };
+    return select((up - row) + (right - column) - 1, ofThird(0, 4, 2), ofThird(3, 5, 1));
+}
+
+/// A tile's share of Tiling, and how far inside of it the point is, in bevels, which is below 0 outside.
+struct TileValue {
+    Expression inside, value;
+};
+
+TileValue valueOf(const Tiling& tiling, const Tile& tile, Expression x, Expression z) {
+    std::optional<Expression> least, leastBevels;
+    for (std::size_t k = 0; k < tile.corners.size(); ++k) {
+        const PlanePoint &a = tile.corners[k], &b = tile.corners[(k + 1) % tile.corners.size()];
+        const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+        const double nx = (a[1] - b[1]) / length, nz = (b[0] - a[0]) / length;
+        const Expression depth = (x * nx + z * nz) - (a[0] * nx + a[1] * nz);
+        const Expression bevels = depth / (tile.bevels.empty() ? tiling.bevel : tile.bevels[k]);
+        least = least ? min(*least, depth) : depth;
+        leastBevels = leastBevels ? min(*leastBevels, bevels) : bevels;
+    }
+    return {*least, (clamp(1 - *leastBevels, x.number(0), x.number(1)) + tile.kind) / tiling.kinds};
+}
+
+/// Measured on POV-Ray 3.7: Tiling.
+Expression tilingPattern(const PatternCall& call) {
+    const Tiling& tiling = tilingOf(call.pattern.tiling);
+    const PlanePoint &a = tiling.across, &b = tiling.along;
+    const double area = a[0] * b[1] - a[1] * b[0];
+    const Expression across = floor((call.x * b[1] - call.z * b[0]) / area),
+                     along = floor((call.z * a[0] - call.x * a[1]) / area);
+    const Expression x = call.x - (across * a[0] + along * b[0]), z = call.z - (across * a[1] + along * b[1]);
+    std::optional<Expression> result;
+    for (const Tile& tile : tilesInCell(tiling)) {
+        const TileValue here = valueOf(tiling, tile, x, z);
+        result = result ? select(here.inside, *result, here.value) : here.value;
+    }
+    return *result;
+}
+
 }  // namespace
 
 Expression tilePattern(const PatternCall& call) {
@@ -89,6 +142,8 @@ Expression tilePattern(const PatternCall& call) {
         case PatternKind::checker: return checker(call);
         case PatternKind::cubic: return cubic(call);
         case PatternKind::square: return square(call);
+        case PatternKind::tiling: return tilingPattern(call);
+        case PatternKind::triangular: return triangular(call);
         default: return hexagon(call);
     }
 }

@@ -6,6 +6,8 @@
 #include <initializer_list>
 #include <unordered_map>
 
+#include "core/evaluate/reference_evaluator.h"
+#include "core/function/patterns/pattern_warp.h"
 #include "core/function/scalar_operations.h"
 #include "core/shapes/transform.h"
 
@@ -95,6 +97,22 @@ Operand normalized(Call call) {
     return fromVector({0, 0, 0});
 }
 
+/// `vturbulence(LAMBDA, OMEGA, OCTAVES, V)`.
+Operand vectorTurbulence(Call call) {
+    const int octaves = static_cast<int>(std::clamp(call.number(2), 1.0, 10.0));
+    const glm::dvec3 at = call.vector(3);
+    FunctionGraph graph;
+    const auto number = [&](double value) { return Expression(graph, graph.constant(value)); };
+    const PatternPoint point{number(at.x), number(at.y), number(at.z)};
+    std::vector<NodeId> results;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        results.push_back(vectorTurbulence(point, axis, octaves, call.number(0), call.number(1)).node());
+    if (!call.tokens.charge(graph.size(), call.range)) return fromVector({0, 0, 0});
+    const std::vector<double> values =
+        ReferenceEvaluator(finish(std::move(graph), std::move(results), 0)).evaluateAll({});
+    return fromVector({values[0], values[1], values[2]});
+}
+
 }  // namespace
 
 glm::dvec3 ExpressionCall::vector(std::size_t i) const {
@@ -164,6 +182,7 @@ const std::vector<ExpressionFunction>& vectorFunctions() {
         {"vnormalize", "v", normalized},
         {"vrotate", "vv",
          [](Call c) { return fromVector(Transform::rotation(c.vector(1)).point(c.vector(0))); }},
+        {"vturbulence", "fffv", vectorTurbulence},
     };
     return table;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "core/language/directives/asset_file.h"
 #include "core/language/expressions/expression_functions.h"
 #include "core/text/number_format.h"
 
@@ -51,6 +52,15 @@ std::string formatted(double value, double length, double precision) {
 }
 
 double finiteOr0(double value) { return std::isfinite(value) ? value : 0; }
+
+/// 1 for a file that the text may read or has written itself, else 0.
+Operand fileExists(Call call) {
+    const ParseContext& context = call.tokens.context();
+    if (!call.tokens.charge(TokenStream::stepsPerItem, call.range)) return Operand::number(0);
+    const bool found = context.textFiles.written(call.string(0)) != nullptr ||
+                       static_cast<bool>(findAsset(context, call.string(0), call.range));
+    return Operand::number(found ? 1 : 0);
+}
 
 Operand concat(Call call) {
     std::string all;
@@ -151,6 +161,7 @@ const std::vector<ExpressionFunction>& stringFunctions() {
         {"chr", "f", chr},
         {"concat", "ss*", concat},
         {"datetime", "fs?", datetime},
+        {"file_exists", "s", fileExists},
         {"str", "fff", str},
         {"strcmp", "ss", strcmp},
         {"strlen", "s", [](Call c) { return Operand::number(static_cast<double>(c.string(0).size())); }},

@@ -16,7 +16,6 @@ namespace {
 constexpr std::array<std::string_view, 3> reflection{"defined", "dimensions", "dimension_size"};
 // Of transforms.inc, where they are macros.
 constexpr std::array<std::string_view, 2> carrying{"vtransform", "vinv_transform"};
-constexpr std::array<std::string_view, 2> leftOut{"vturbulence", "file_exists"};
 
 template <typename List>
 bool contains(const List& list, std::string_view name) {
@@ -70,7 +69,6 @@ Operand FunctionCaller::call(const Token& name) {
     if (contains(reflection, name.text)) return callDimensions(name);
     if (contains(carrying, name.text)) return callTransform(name);
     if (ObjectQueries::knows(name.text)) return ObjectQueries(tokens_).call(name);
-    if (contains(leftOut, name.text)) return callLeftOut(name);
     const ExpressionFunction& function = *findExpressionFunction(name.text);
     std::optional<std::vector<Operand>> read = arguments(name, function.signature);
     if (!read) return expressions_.fail({}, {}, {});
@@ -227,19 +225,6 @@ Operand FunctionCaller::callTransform(const Token& name) {
     VectorValue result;
     result.components = {carried.x, carried.y, carried.z, 0, 0};
     return Operand::of(result);
-}
-
-Operand FunctionCaller::callLeftOut(const Token& name) {
-    expressions_.context().leftOut(name.range, std::string(name.text) + "()");
-    Operand result;
-    result.vector.count = name.is("file_exists") ? 1 : 3;
-    if (!tokens_.expect("(", "and the arguments of `" + std::string(name.text) + "`")) return result;
-    for (int depth = 1; depth > 0;) {
-        const Token token = tokens_.next();
-        if (token.kind == TokenKind::end) break;
-        depth += token.is("(") - token.is(")");
-    }
-    return result;
 }
 
 }  // namespace isoscope

@@ -35,7 +35,6 @@ class FunctionCaller {
     /// `vtransform(V, TRANSFORM)` and `vinv_transform`: the vector carried by a declared transform, or back.
     Operand callTransform(const Token& name);
     Operand callDimensions(const Token& name);
-    Operand callLeftOut(const Token& name);
 
     ExpressionParser& expressions_;
     TokenStream& tokens_;

@@ -148,8 +148,7 @@ bool FinishParser::parseIrid() {
         if (tokens_.accept("thickness")) {
             finish_.iridThickness = expressions.parseFloat();
         } else if (tokens_.accept("turbulence")) {
-            // Only a turbulent film is not simulated, not the film.
-            if (expressions.parseFloat() != 0) leaveOut("irid turbulence");
+            finish_.iridTurbulence = expressions.parseFloat();
         } else if (tokens_.accept("}")) {
             return true;
         } else {

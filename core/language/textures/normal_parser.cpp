@@ -8,7 +8,9 @@
 #include "core/language/textures/image_map_parser.h"
 #include "core/language/textures/map_position.h"
 #include "core/language/tokens/nesting_guard.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
+#include "core/texture/own_colors.h"
 
 namespace isoscope {
 
@@ -48,10 +50,16 @@ NormalPointer NormalParser::parse(const NormalPointer& start) {
 NormalPointer NormalParser::result() {
     if (!normal_) return nullptr;
     normal_->pattern = reader_.pattern;
+    const std::size_t length = ownColors(normal_->pattern.kind).size();
+    if (normal_->mapKind == MapKind::list && ownEntries_ && normal_->entries.size() < length)
+        warnOfRefusal(tokens_.context(), tokens_.lastRange(),
+                      "ends in a crash where a list has fewer normals than the pattern, " +
+                          std::to_string(length) + ".",
+                      "write as many");
     if (!normal_->entries.empty())
         normal_->kind = NormalKind::map;
-    else if (!normal_->slopes.empty())
-        normal_->kind = NormalKind::pattern;
+    else if (normal_->kind == NormalKind::map)
+        normal_->kind = kindOf(normal_->pattern.kind);
     normal_->size = 1;
     normal_->depth = 1;
     for (const SurfaceNormal::Entry& entry : normal_->entries) {
@@ -110,6 +118,14 @@ bool NormalParser::parsePattern() {
         parseBumpMap();
         return true;
     }
+    if (tokens_.accept("facets")) {
+        patterned().kind = NormalKind::facets;
+        // Their cells are those of crackle, with its metric.
+        reader_.pattern.kind = PatternKind::crackle;
+        normal_->mapKind = MapKind::blend;
+        parseAmount();
+        return true;
+    }
     const bool leftOut = isPatternLeftOut(name.text);
     if (!leftOut && !reader_.atName()) return false;
     patterned();
@@ -121,8 +137,6 @@ bool NormalParser::parsePattern() {
         if (expressions.atExpression()) expressions.parseFloat();
         leftOut_.emplace_back(leftOut ? name.text : std::string_view("normal"));
         normal_->amount = 0;
-        while (name.is("facets") && (tokens_.accept("coords") || tokens_.accept("size")))
-            ExpressionParser(tokens_).parseFloat();
         return true;
     }
     const bool opensList = !average && reader_.opensList();
@@ -192,6 +206,10 @@ bool NormalParser::parseSetting() {
     } else if (tokens_.accept("accuracy")) {
         const double accuracy = expressions.parseFloat();
         if (accuracy > 0) settings().accuracy = accuracy;
+    } else if (normal_ && normal_->kind == NormalKind::facets && tokens_.accept("size")) {
+        normal_->facets.size = expressions.parseFloat();
+    } else if (normal_ && normal_->kind == NormalKind::facets && tokens_.accept("coords")) {
+        normal_->facets.coords = expressions.parseFloat();
     } else if (tokens_.accept("no_bump_scale")) {
         const bool off = expressions.parseBareFlag("no_bump_scale");
         settings().scaled = !off;

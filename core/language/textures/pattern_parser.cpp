@@ -24,9 +24,10 @@ bool PatternParser::leaveOut(const Token& word) {
 bool PatternParser::parseItems(PatternReader& reader) {
     const Token name = tokens_.peek();
     if (isPatternLeftOut(name.text) || name.is("slope") || name.is("aoi")) return leaveOut(name);
-    // POV-Ray knows it in pigments only.
-    if (name.is("square")) {
-        tokens_.context().error("unknown-pattern", name.range, "`square` makes no `pattern` of its own.");
+    // POV-Ray knows them in pigments, normals and textures only.
+    if (name.is("square") || name.is("triangular") || name.is("tiling")) {
+        tokens_.context().error("unknown-pattern", name.range,
+                                "`" + std::string(name.text) + "` makes no `pattern` of its own.");
         return false;
     }
     if (!reader.parseName()) return false;

@@ -10,6 +10,7 @@
 #include "core/language/directives/asset_file.h"
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/functions/function_parser.h"
+#include "core/function/patterns/tilings.h"
 #include "core/language/functions/function_scope.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/image_map_parser.h"
@@ -40,6 +41,7 @@ const std::map<std::string_view, PatternKind> kinds{
     {"spiral1", PatternKind::spiral1},   {"spiral2", PatternKind::spiral2},
     {"spotted", PatternKind::spotted},   {"square", PatternKind::square},
     {"waves", PatternKind::waves},       {"wood", PatternKind::wood},
+    {"tiling", PatternKind::tiling},     {"triangular", PatternKind::triangular},
     {"wrinkles", PatternKind::wrinkles},
 };
 
@@ -68,8 +70,7 @@ bool PatternReader::atName() const {
 }
 
 bool isPatternLeftOut(std::string_view word) {
-    static constexpr std::array<std::string_view, 5> names{"facets", "pavement", "tiling", "triangular",
-                                                           "projection"};
+    static constexpr std::array<std::string_view, 3> names{"facets", "pavement", "projection"};
     return std::find(names.begin(), names.end(), word) != names.end();
 }
 
@@ -82,10 +83,6 @@ void PatternReader::skipLeftOut() {
     const auto accept = [&](const char* word) { return tokens_.accept(word); };
     while (name.is("pavement") && std::any_of(ofPavement.begin(), ofPavement.end(), accept))
         if (expressions.atExpression()) expressions.parseValue();
-    if (!name.is("tiling")) return;
-    do
-        if (expressions.atExpression()) expressions.parseValue();
-    while (tokens_.accept(","));
 }
 
 bool PatternReader::parseName() {
@@ -106,6 +103,7 @@ void PatternReader::parseNameArguments() {
     if (pattern.kind == PatternKind::gradient) pattern.gradient = components(expressions.parseVector());
     if (pattern.kind == PatternKind::spiral1 || pattern.kind == PatternKind::spiral2)
         pattern.arms = wholeNumber(expressions.parseFloat(), -10'000, 10'000);
+    if (pattern.kind == PatternKind::tiling) parseTiling();
 }
 
 bool PatternReader::parseSpecialName(const Token& name) {
@@ -156,6 +154,16 @@ int PatternReader::parseChoice(const std::string& name, int first, int last) {
     return wholeNumber(value, first, last);
 }
 
+void PatternReader::parseTiling() {
+    constexpr int tilingsOfPovray = 27;
+    const SourceRange start = tokens_.peek().range;
+    pattern.tiling = parseChoice("the number of a `tiling`", 1, tilingsOfPovray);
+    if (pattern.tiling > tilingCount)
+        reportLeftOut(tokens_.context(), rangeSince(start, tokens_),
+                      "Tilings that repeat nowhere are not simulated; number " + std::to_string(tilingCount) +
+                          " is drawn.");
+}
+
 bool PatternReader::parseMagnet() {
     pattern.magnetType = parseChoice("the type of `magnet`", 1, 2);
     const Token name = tokens_.peek();
@@ -195,6 +203,8 @@ bool PatternReader::parseObjectPattern() {
     }
     pattern.kind = PatternKind::function;
     pattern.function = *inside;
+    // Its numbers count, too.
+    pattern.frequency = 0;
     opensList_ = !tokens_.accept("}");
     return true;
 }

@@ -37,6 +37,7 @@ class PatternReader {
     bool parseFractal(const Token& name);
     /// A whole number; POV-Ray refuses those beyond, which is told.
     int parseChoice(const std::string& name, int first, int last);
+    void parseTiling();
     bool parseMagnet();
     bool parseFunctionPattern();
     bool parseObjectPattern();
@@ -60,7 +61,7 @@ class PatternReader {
     std::shared_ptr<const DensityVolume> volume_;  ///< of it, where it could be read
 };
 
-/// Whether the word names a pattern that is read over and not simulated (`tiling`, `facets`).
+/// Whether the word names a pattern that is read over and not simulated (`pavement`).
 bool isPatternLeftOut(std::string_view word);
 
 }  // namespace isoscope

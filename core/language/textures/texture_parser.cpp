@@ -16,6 +16,7 @@
 #include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
 #include "core/texture/image_table.h"
+#include "core/texture/own_colors.h"
 #include "core/texture/surface_needs.h"
 #include "core/texture/warped_material.h"
 
@@ -417,6 +418,13 @@ void TextureParser::parseTextureMap() {
 }
 
 /// The pattern that has been read becomes the material's.
+/// As in POV-Ray, a list that is too short goes on with the default texture.
+void TextureParser::completeList() {
+    std::vector<MappedTexture::Entry>& entries = mapped_->entries;
+    const std::size_t length = ownColors(mapped_->pattern.kind).size();
+    while (entries.size() < length) entries.push_back({static_cast<double>(entries.size()), defaults_});
+}
+
 void TextureParser::finishMap(Material& material) {
     if (!mapped_) return;
     if (mapped_->entries.empty()) {
@@ -424,6 +432,7 @@ void TextureParser::finishMap(Material& material) {
         return;
     }
     mapped_->pattern = reader_.pattern;
+    if (mapped_->kind == MapKind::list) completeList();
     mapped_->size = 1;
     mapped_->depth = 1;
     for (const MappedTexture::Entry& entry : mapped_->entries) {

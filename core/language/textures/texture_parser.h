@@ -40,6 +40,7 @@ class TextureParser {
     void closeTextures(std::string_view keyword);
     void applyFlags(Material& material);
     void parseTextureMap();
+    void completeList();
     void finishMap(Material& material);
     bool startFromDeclared(Material& material);
     TokenStream& tokens_;

@@ -17,6 +17,7 @@ struct Lighting {
     bool patterned = false;     ///< the pigment is that of SurfacePoints instead
     bool doubled = false;       ///< light from behind counts as well
     glm::dvec3 wavelengths{0};  ///< of red, green and blue, for thin films
+    bool unevenFilm = false;    ///< the film is as thick as SurfacePoints says
     bool bent = false;          ///< the normals face the viewer, or were bent away on purpose
 };
 

@@ -71,7 +71,8 @@ HWY_INLINE Triple shineOf(const SimpleSurface& surface, std::span<const glm::dve
         if constexpr (matte)
             white = returnedEvenly(lighting, facing, toLight);
         else
-            white = returned(lighting, constant(lighting.pigment), normal, view, toLight);
+            white = returned(lighting, constant(lighting.pigment), normal, view, toLight,
+                             constant(lighting.finish.iridThickness));
         const Triple all = times(white, constant(lighting.light));
         shine = plus(shine, {hn::IfThenElseZero(positive(white.x), all.x),
                              hn::IfThenElseZero(positive(white.y), all.y),
@@ -190,7 +191,9 @@ bool isPlain(const LightSource& light) {
     return light.kind == LightKind::point && spreadsEvenly(light) && !light.area;
 }
 
-bool isPlain(const Material& material) { return !material.patterned() && !material.transparent; }
+bool isPlain(const Material& material) {
+    return !material.patterned() && !material.transparent && !material.filmTape;
+}
 
 bool isMatte(const Lighting& lighting) {
     const Finish& finish = lighting.finish;

@@ -73,20 +73,19 @@ HWY_INLINE Vector specular(const Finish& finish, const Triple& normal, const Tri
 
 /// What a thin film on the surface makes of the diffuse light, where the cosines of the angles of light and
 /// view add up to `cosines`.
-HWY_INLINE Triple withFilm(const Lighting& lighting, const Triple& light, Vector cosines) {
-    const Finish& finish = lighting.finish;
+HWY_INLINE Triple withFilm(const Lighting& lighting, const Triple& light, Vector thickness, Vector cosines) {
     const auto channel = [&](double wavelength, Vector value) HWY_ATTR {
-        const double turns = 2 * std::numbers::pi * finish.iridThickness / wavelength;
-        const Vector wave = sleefCos(hn::Mul(constant(turns), cosines));
-        return hn::Mul(value, hn::MulAdd(constant(finish.irid), wave, constant(1)));
+        const Vector turns = hn::Mul(thickness, constant(2 * std::numbers::pi / wavelength));
+        const Vector wave = sleefCos(hn::Mul(turns, cosines));
+        return hn::Mul(value, hn::MulAdd(constant(lighting.finish.irid), wave, constant(1)));
     };
     return {channel(lighting.wavelengths.x, light.x), channel(lighting.wavelengths.y, light.y),
             channel(lighting.wavelengths.z, light.z)};
 }
 
-/// What a white light of strength 1 makes the surface return.
+/// What a white light of strength 1 makes the surface return, which has a film as thick as `film`.
 HWY_INLINE Triple returned(const Lighting& lighting, const Triple& pigment, const Triple& normal,
-                           const Triple& view, const Triple& light) {
+                           const Triple& view, const Triple& light, Vector film) {
     const Finish& finish = lighting.finish;
     const Vector turn = hn::IfThenElse(positive(dot(normal, view)), constant(-1), constant(1));
     const Triple facing = lighting.bent ? normal : times(normal, turn);
@@ -97,7 +96,7 @@ HWY_INLINE Triple returned(const Lighting& lighting, const Triple& pigment, cons
         diffuse = hn::Add(diffuse,
                           hn::Mul(constant(finish.diffuseBack), power(hn::Neg(cosine), finish.brilliance)));
     Triple result = times(pigment, diffuse);
-    if (finish.irid != 0) result = withFilm(lighting, result, hn::Sub(cosine, dot(facing, view)));
+    if (finish.irid != 0) result = withFilm(lighting, result, film, hn::Sub(cosine, dot(facing, view)));
     if (!lighting.highlights) return result;
     const Vector strength =
         hn::Add(phong(finish, facing, view, light), specular(finish, facing, view, light));

@@ -24,8 +24,10 @@ void findRange(const Lighting& lighting, const PointRange& range, SurfacePoints&
     for (std::size_t k = range.first; k < range.end; k += hn::Lanes(Doubles())) {
         if constexpr (patterned) pigment = load(points.pigment, k);
         const Vector strength = hn::LoadU(Doubles(), &points.strength[k]);
+        const Vector film = lighting.unevenFilm ? hn::LoadU(Doubles(), &points.film[k])
+                                                : constant(lighting.finish.iridThickness);
         const Triple white = returned(lighting, pigment, load(points.normal, k), load(points.view, k),
-                                      load(points.toLight, k));
+                                      load(points.toLight, k), film);
         const Triple arriving = times(light, strength);
         // Endless light shows only where something returns it.
         for (std::size_t c = 0; c < 3; ++c)
@@ -92,6 +94,7 @@ Lighting lightingOf(const LightSource& light, const Material& material, OpacityR
             material.pigmentTape != nullptr,
             material.doubleIlluminate,
             wavelengths,
+            material.filmTape != nullptr,
             material.normalTape != nullptr};
 }
 

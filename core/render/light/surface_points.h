@@ -36,7 +36,8 @@ struct SurfacePoints {
     Vectors straight;  ///< the shape's normal, turned to the viewer, where `lookedUp` and it is bent
     Column share;      ///< what of a mirror's light counts, where `weighted`
     std::vector<std::uint8_t> outermost;  ///< 1 for the top layer of each part, where `weighted`
-    Vectors shine;                        ///< what goes to the viewer, the sum over all lights so far
+    Column film;    ///< how thick the film of the material is, where that differs from place to place
+    Vectors shine;  ///< what goes to the viewer, the sum over all lights so far
 
     // The light at hand.
     Vectors toLight;   ///< unit length

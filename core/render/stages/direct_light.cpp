@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 
+#include "core/evaluate/point_evaluator.h"
 #include "core/render/effect_reasons.h"
 #include "core/render/light/illuminating_areas.h"
 #include "core/render/light/light_arrival.h"
@@ -36,6 +37,16 @@ void clear(const PointRange& range, SurfacePoints& points) {
     for (SurfacePoints::Column& column : points.returned)
         std::fill(column.begin() + static_cast<std::ptrdiff_t>(range.first),
                   column.begin() + static_cast<std::ptrdiff_t>(range.end), 0.0);
+}
+
+void findFilm(const std::shared_ptr<const Tape>& tape, const PointRange& range, SurfacePoints& points) {
+    if (points.film.size() < points.point[0].size()) points.film.resize(points.point[0].size());
+    const std::size_t count = range.end - range.first;
+    const auto part = [&](const SurfacePoints::Column& column) {
+        return std::span<const double>(column).subspan(range.first, count);
+    };
+    PointEvaluator(tape, {}).evaluate(part(points.point[0]), part(points.point[1]), part(points.point[2]),
+                                      std::span(points.film).subspan(range.first, count));
 }
 
 /// `material` without its patterns.
@@ -111,6 +122,7 @@ void DirectLight::ownLight(SurfacePoints& points) const {
     const glm::dvec3 ambientLight = rgb(scene_.settings.ambientLight);
     visitMaterials(points, [&](const Material& material, const PointRange& range) {
         findSelfLight(material, opacityRule(scene_), ambientLight, range, points);
+        if (material.filmTape) findFilm(material.filmTape, range, points);
     });
 }
 

@@ -14,3 +14,7 @@ sphere { 0, 0.95 pigment { rgb <0.8, 0.7, 0.6> } finish { diffuse albedo 0.4 bri
 sphere { 0, 0.95 pigment { rgb <0.8, 0.7, 0.6> } finish { diffuse 0.3 phong albedo 0.05 phong_size 30 } Place() }
 sphere { 0, 0.95 pigment { rgb <0.8, 0.7, 0.6> } finish { diffuse 0.3 specular albedo 0.1 roughness 0.03 } Place() }
 sphere { 0, 0.95 pigment { rgb <0.8, 0.7, 0.6> } finish { diffuse albedo 0.3, 0.2 brilliance 2 } Place() }
+sphere { 0, 0.95 pigment { rgb <0.8, 0.7, 0.6> } finish { ambient 0 diffuse 0.6 irid { 0.6 thickness 0.4 turbulence 0.5 } } Place() }
+sphere { 0, 0.95 pigment { rgb <0.8, 0.7, 0.6> } finish { diffuse 0.6 irid { 0.5 thickness 0.5 turbulence 1.5 } phong 0.3 } scale 0.5 rotate 40 scale 2 Place() }
+sphere { 0, 0.95 pigment { bozo scale 0.3 } normal { bumps 0.3 scale 0.2 } finish { diffuse 0.6 irid { 0.5 thickness 0.3 turbulence -0.7 } } Place() }
+sphere { 0, 0.95 texture { gradient y texture_map { [0.3 pigment { rgb 1 } finish { irid { 0.5 thickness 0.3 turbulence 1 } }] [0.7 pigment { rgb <1, 0.5, 0> } finish { diffuse 0.7 }] } } Place() }
