@@ -66,6 +66,9 @@ class Shape {
     /// Whether the point lies in the solid; patches contain nothing.
     virtual bool contains(const glm::dvec3& point, TraceContext& context) const = 0;
 
+    /// Whether the shape has neither inside nor outside: contains() is false everywhere, of its inverse, too.
+    virtual bool isPatch() const { return false; }
+
     /// A box that holds the whole shape; infinite where the shape is.
     virtual Bounds bounds() const = 0;
 

@@ -9,6 +9,7 @@
 #include "core/shapes/combined/clipped_shape.h"
 #include "core/shapes/combined/inverse_shape.h"
 #include "core/shapes/combined/placed_shape.h"
+#include "core/shapes/patches/triangle.h"
 #include "core/shapes/solids/box.h"
 #include "core/shapes/solids/cone.h"
 #include "core/shapes/solids/plane.h"
@@ -104,6 +105,18 @@ class CsgTest : public QObject {
         QVERIFY(!inverse->contains({0, 0, 0}, context));
         QVERIFY(!inverse->contains({2, 0, 0}, context));
         QCOMPARE(inverseOf(inverseOf(sphereAt(0)))->contains({0, 0, 0}, context), true);
+    }
+
+    /// All of space was outside of them, so that nothing was cut off by a difference.
+    void patchesHaveNoOutside() {
+        const ShapePointer patch = std::make_shared<Triangle>(
+            Triangle::Corners{glm::dvec3(0, 5, 0), glm::dvec3(0, 6, 0), glm::dvec3(0, 5, 1)});
+        TraceContext context;
+        QVERIFY(!inverseOf(patch)->contains({0, 0, 0}, context));
+        const ShapePointer pair = csg(CsgOperation::union_, {sphereAt(5), patch});
+        QVERIFY(!inverseOf(pair)->contains({0, 0, 0}, context));
+        QVERIFY(inverseOf(csg(CsgOperation::union_, {sphereAt(5)}))->contains({0, 0, 0}, context));
+        QCOMPARE(alongX(*csg(CsgOperation::difference, {sphereAt(0), patch})), Numbers{});
     }
 
     /// Which of equal hits shows, as measured on POV-Ray.

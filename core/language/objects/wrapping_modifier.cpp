@@ -7,6 +7,7 @@
 #include "core/language/objects/object_description.h"
 #include "core/language/scene_draft.h"
 #include "core/language/tokens/povray_refusals.h"
+#include "core/shapes/patches/polygon.h"
 
 namespace isoscope {
 
@@ -28,6 +29,16 @@ const WrappingModifier* findWrappingModifier(std::string_view keyword) {
     return found == all.end() ? nullptr : &*found;
 }
 
+namespace {
+
+/// POV-Ray takes polygons, but no other patches, alone or in unions and the like.
+bool isRefused(const ObjectDescription& object) {
+    if (object.shape && object.shape->isPatch()) return !dynamic_cast<const Polygon*>(object.shape.get());
+    return std::ranges::any_of(object.parts, [](const ObjectPointer& part) { return isRefused(*part); });
+}
+
+}  // namespace
+
 void readObjects(WrappingReader& reader, Wrapping& wrapping, std::string_view other) {
     TokenStream& tokens = reader.tokens;
     const std::string keyword(wrapping.modifier->keyword);
@@ -36,8 +47,14 @@ void readObjects(WrappingReader& reader, Wrapping& wrapping, std::string_view ot
     if (isSame)
         if (const Wrapping* named = reader.description.wrapping(other))
             wrapping.objects.insert(wrapping.objects.end(), named->objects.begin(), named->objects.end());
-    while (const std::optional<ObjectPointer> object = reader.nextObject())
+    SourceRange start = tokens.peek().range;
+    while (const std::optional<ObjectPointer> object = reader.nextObject()) {
+        if (*object && isRefused(**object))
+            warnOfRefusal(tokens.context(), rangeSince(start, tokens),
+                          "takes no patch in `" + keyword + "`: it has no inside.", "use a solid");
         if (*object) wrapping.objects.push_back({*object, {}});
+        start = tokens.peek().range;
+    }
     wrapping.on = !wrapping.objects.empty();
     if (tokens.accept("}")) {
         if (!wrapping.on && !isSame)

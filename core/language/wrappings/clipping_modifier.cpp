@@ -4,6 +4,8 @@
 
 #include "core/language/objects/wrapping_modifier.h"
 #include "core/shapes/combined/clipped_shape.h"
+#include "core/shapes/composition.h"
+#include "core/shapes/patches/bicubic_patch.h"
 
 namespace isoscope {
 
@@ -11,7 +13,15 @@ namespace {
 
 void read(WrappingReader& reader, Wrapping& wrapping) { readObjects(reader, wrapping, "bounded_by"); }
 
+/// POV-Ray cuts nothing off bicubic patches (seen in its pictures).
+bool isUncut(const ShapePointer& shape) {
+    const Composition made = shape->composition();
+    if (made.kind == Composition::Kind::wrapped) return isUncut(made.parts.front());
+    return dynamic_cast<const BicubicPatch*>(shape.get()) != nullptr;
+}
+
 ShapePointer wrap(ShapePointer shape, const Wrapping&, std::vector<ShapePointer> clips) {
+    if (isUncut(shape)) return shape;
     return std::make_shared<ClippedShape>(std::move(shape), std::move(clips));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/combined/inverse_shape.h"
 
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "core/shapes/combined/csg.h"
@@ -19,6 +21,12 @@ ShapePointer withoutInnerSurfaces(const ShapePointer& shape) {
     return std::make_shared<Csg>(CsgOperation::merge, std::move(parts));
 }
 
+bool hasPatch(const ShapePointer& shape) {
+    const Composition made = shape->composition();
+    if (made.kind == Composition::Kind::primitive) return shape->isPatch();
+    return std::any_of(made.parts.begin(), made.parts.end(), hasPatch);
+}
+
 }  // namespace
 
 InverseShape::InverseShape(ShapePointer shape)
@@ -29,7 +37,13 @@ ShapePointer inverseOf(const ShapePointer& shape) {
     const Composition made = shape->composition();
     if (made.kind == complement) return made.parts.front();
     if (made.kind == wrapped) return withChanged(shape, inverseOf);
-    return std::make_shared<InverseShape>(shape);
+    if (made.kind == primitive || !hasPatch(shape)) return std::make_shared<InverseShape>(shape);
+    // A patch has no outside, so that the whole cannot be turned over, but each part.
+    std::vector<ShapePointer> parts;
+    std::transform(made.parts.begin(), made.parts.end(), std::back_inserter(parts), inverseOf);
+    const bool isShared = made.kind == intersection;
+    return std::make_shared<Csg>(isShared ? CsgOperation::merge : CsgOperation::intersection,
+                                 std::move(parts));
 }
 
 void InverseShape::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
@@ -65,7 +79,7 @@ ShapePointer InverseShape::withParts(std::vector<ShapePointer> parts, std::vecto
 }
 
 bool InverseShape::contains(const glm::dvec3& point, TraceContext& context) const {
-    return !shape_->contains(point, context);
+    return !shape_->isPatch() && !shape_->contains(point, context);
 }
 
 }  // namespace isoscope

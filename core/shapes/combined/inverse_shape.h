@@ -8,7 +8,7 @@ namespace isoscope {
 
 /// The keyword `inverse`: inside and outside change places, normals turn over; the surface is the same, but
 /// for unions, which lose the surfaces that lie inside another part, as in POV-Ray: what is cut out of a
-/// shape has no walls inside.
+/// shape has no walls inside. Patches have no outside, as in POV-Ray: the inverse of one contains nothing.
 class InverseShape : public Shape {
   public:
     explicit InverseShape(ShapePointer shape);
@@ -33,8 +33,9 @@ class InverseShape : public Shape {
     ShapePointer surface_;  ///< the same solid without inner surfaces
 };
 
-/// The shape with inside and outside changed, by POV-Ray's rules: clips (ClippedShape) are not turned over,
-/// so what they cut off is outside of both, and the inverse of an inverse is the shape itself.
+/// The shape with inside and outside changed, by POV-Ray's rules. Of what has patches each part is turned
+/// over: a union becomes an intersection, and an intersection a merge. Clips (ClippedShape) are not turned
+/// over, so what they cut off is outside of both, and the inverse of an inverse is the shape itself.
 ShapePointer inverseOf(const ShapePointer& shape);
 
 }  // namespace isoscope

@@ -40,6 +40,7 @@ class Parametric : public Shape {
     void nearest(std::span<const Ray> rays, TraceContext& context,
                  std::span<NearestHit> nearest) const override;
     bool contains(const glm::dvec3&, TraceContext&) const override { return false; }
+    bool isPatch() const override { return true; }
     /// The box around the container.
     Bounds bounds() const override { return bounds_; }
 

@@ -29,6 +29,7 @@ class BicubicPatch : public Shape {
         mesh_->nearest(rays, context, nearest);
     }
     bool contains(const glm::dvec3&, TraceContext&) const override { return false; }
+    bool isPatch() const override { return true; }
     Bounds bounds() const override { return mesh_->bounds(); }
     std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override {
         return mesh_->surfacePlace(point);

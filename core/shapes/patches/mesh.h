@@ -37,6 +37,7 @@ class Mesh : public Shape {
     void nearest(std::span<const Ray> rays, TraceContext& context,
                  std::span<NearestHit> nearest) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
+    bool isPatch() const override { return !insideDirection_; }
     Bounds bounds() const override { return bounds_; }
     std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override;
     std::vector<TextureShare> textureShares(const glm::dvec3& point) const override;

@@ -21,6 +21,7 @@ class Polygon : public Shape {
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3&, TraceContext&) const override { return false; }
+    bool isPatch() const override { return true; }
     Bounds bounds() const override { return bounds_; }
 
   private:
