@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/shapes/shape.h"
-#include "core/texture/object_table.h"
+#include "core/texture/tables/object_table.h"
 
 namespace isoscope {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/image/brightness.h"
 #include "core/image/raster_file.h"
 #include "core/scene/scene.h"
 
@@ -26,7 +27,7 @@ constexpr std::size_t pixelLimit = std::size_t{1} << 23;
 /// What POV-Ray makes of the grey samples of an 8-bit PNG file: weighed as colours in single precision, and
 /// cut off (measured on all 256).
 float weighedGray(float sample) {
-    const float weighed = 0.297F * sample + 0.589F * sample + 0.114F * sample;
+    const float weighed = brightness<float>(sample, sample, sample);
     return static_cast<float>(std::floor(255.0 * static_cast<double>(weighed)) / 255);
 }
 

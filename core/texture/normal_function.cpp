@@ -8,8 +8,8 @@
 #include "core/function/builtins/formula_blocks.h"
 #include "core/function/patterns/wave_sources.h"
 #include "core/function/surface_variables.h"
-#include "core/texture/facet_table.h"
-#include "core/texture/image_table.h"
+#include "core/texture/tables/facet_table.h"
+#include "core/texture/tables/image_table.h"
 #include "core/texture/map_value.h"
 #include "core/texture/surface_needs.h"
 

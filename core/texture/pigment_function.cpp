@@ -3,7 +3,7 @@
 
 #include "core/function/surface_variables.h"
 #include "core/image/brightness.h"
-#include "core/texture/image_table.h"
+#include "core/texture/tables/image_table.h"
 #include "core/texture/map_value.h"
 #include "core/texture/own_colors.h"
 #include "core/texture/surface_needs.h"

@@ -12,7 +12,7 @@
 #include "core/language/parse.h"
 #include "core/shapes/solids/font_file.h"
 #include "core/text/csv_table.h"
-#include "core/texture/density_table.h"
+#include "core/texture/tables/density_table.h"
 #include "core/virtualight/scene_reader.h"
 
 namespace isoscope::test {

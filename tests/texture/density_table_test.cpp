@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/texture/density_table.h"
+#include "core/texture/tables/density_table.h"
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -4,7 +4,7 @@
 #include <QTest>
 #include <limits>
 
-#include "core/texture/image_table.h"
+#include "core/texture/tables/image_table.h"
 
 using namespace isoscope;
 

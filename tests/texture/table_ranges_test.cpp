@@ -4,8 +4,8 @@
 #include <QTest>
 #include <random>
 
-#include "core/texture/density_table.h"
-#include "core/texture/image_table.h"
+#include "core/texture/tables/density_table.h"
+#include "core/texture/tables/image_table.h"
 #include "tests/support/test_setting.h"
 
 using namespace isoscope;

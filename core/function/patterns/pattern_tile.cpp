@@ -2,8 +2,11 @@
 // Patterns of discrete values: brick, checker, cubic, hexagon, square, triangular; and tilings.
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 
 #include "core/function/patterns/pattern_call.h"
+#include "core/function/patterns/penrose_tiling.h"
 #include "core/function/patterns/tilings.h"
 
 namespace isoscope {
@@ -120,6 +123,13 @@ TileValue valueOf(const Tiling& tiling, const Tile& tile, Expression x, Expressi
 
 /// Measured on POV-Ray 3.7: Tiling.
 Expression tilingPattern(const PatternCall& call) {
+    if (call.pattern.tiling == penroseNumber) {
+        static const auto table = std::make_shared<const PenroseTiling>();
+        CrackleSettings settings;
+        settings.table = table;
+        FunctionGraph& graph = call.x.graph();
+        return {graph, graph.crackle(settings, call.x.node(), call.y.node(), call.z.node())};
+    }
     const Tiling& tiling = tilingOf(call.pattern.tiling);
     const PlanePoint &a = tiling.across, &b = tiling.along;
     const double area = a[0] * b[1] - a[1] * b[0];

@@ -27,8 +27,10 @@ struct Tiling {
     std::vector<Tile> tiles;
 };
 
-/// Of `tiling N`; 25 to 27 of POV-Ray repeat nowhere and are not here.
+/// Of `tiling N`, those that repeat.
 constexpr int tilingCount = 24;
+/// Number 27 is PenroseTiling; 25 and 26 are others of Penrose's, which are not drawn.
+constexpr int penroseNumber = 27;
 
 /// Tiling number 1 to tilingCount, built on first use; other numbers act as the nearer end.
 const Tiling& tilingOf(int number);

@@ -4,6 +4,7 @@
 
 #include "core/evaluate/reference_evaluator.h"
 #include "core/function/builtins/builtin.h"
+#include "core/image/brightness.h"
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/expressions/named_constants.h"
 #include "core/language/functions/function_caller.h"
@@ -103,8 +104,7 @@ Operand ExpressionParser::withMembers(Operand operand) {
                          ? operand.kind() + " does not have."
                          : "a vector of " + std::to_string(operand.vector.count) + " does not have."));
         const auto& c = operand.vector.components;
-        operand = Operand::number(gray ? 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2]
-                                       : c[static_cast<std::size_t>(*index)]);
+        operand = Operand::number(gray ? brightness(c[0], c[1], c[2]) : c[static_cast<std::size_t>(*index)]);
     }
     return operand;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/image/brightness.h"
 #include "core/language/directives/statement_scope.h"
 #include "core/language/expressions/parameter_collector.h"
 
@@ -265,7 +266,7 @@ FunctionOperand FunctionCallParser::parseMember(const Token& name, const std::ve
     const auto part = [&](std::size_t k) { return scope_.expression(components[k]); };
     if ((member.is("gray") || member.is("grey")) && components.size() >= 3) {
         tokens_.next();
-        return {(0.297 * part(0) + 0.589 * part(1) + 0.114 * part(2)).node()};
+        return {brightness(part(0), part(1), part(2)).node()};
     }
     if (member.is("hf") && components.size() >= 2) {
         tokens_.next();

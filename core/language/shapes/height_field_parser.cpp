@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/evaluate/reference_evaluator.h"
+#include "core/image/brightness.h"
 #include "core/language/directives/asset_file.h"
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/functions/function_parser.h"
@@ -137,9 +138,7 @@ class HeightFieldReader {
             return raster;
         for (std::uint16_t& sample : raster.samples) {
             const float grey = static_cast<float>(sample) / 255.0f;
-            const float red = 0.297f * grey, green = 0.589f * grey, blue = 0.114f * grey;
-            const float brightness = (red + green) + blue;
-            sample = static_cast<std::uint16_t>(brightness * 255.0f);
+            sample = static_cast<std::uint16_t>(brightness<float>(grey, grey, grey) * 255.0f);
         }
         return raster;
     }

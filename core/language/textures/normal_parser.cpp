@@ -140,9 +140,7 @@ bool NormalParser::parsePattern() {
         return true;
     }
     const bool opensList = !average && reader_.opensList();
-    normal_->mapKind = average                                         ? MapKind::average
-                       : isDiscrete(reader_.pattern.kind) || opensList ? MapKind::list
-                                                                       : MapKind::blend;
+    normal_->mapKind = average ? MapKind::average : reader_.countsEntries() ? MapKind::list : MapKind::blend;
     normal_->kind = kindOf(reader_.pattern.kind);
     if (opensList) {
         while (parseListItem()) continue;
@@ -224,7 +222,9 @@ bool NormalParser::parseSetting() {
 
 /// A normal behind `checker` and the like.
 bool NormalParser::parseListItem() {
-    if (!normal_ || normal_->mapKind != MapKind::list || !tokens_.accept("normal")) return false;
+    if (!normal_ || normal_->mapKind != MapKind::list || !tokens_.peek().is("normal")) return false;
+    reader_.noteEntry();
+    tokens_.next();
     if (!ownEntries_) normal_->entries.clear();
     ownEntries_ = true;
     NormalParser inner(tokens_, defaults_);
@@ -239,6 +239,12 @@ bool NormalParser::parseMaps() {
     const Token word = tokens_.peek();
     if (!word.is("normal_map") && !word.is("slope_map")) return false;
     tokens_.next();
+    const bool lists = normal_ && normal_->mapKind == MapKind::list;
+    if (lists || (word.is("normal_map") && normal_ && normal_->kind == NormalKind::facets))
+        warnOfRefusal(tokens_.context(), word.range,
+                      "takes no `" + std::string(word.text) + "` behind " +
+                          (lists ? "a pattern with a list." : "`facets`."),
+                      "leave it out");
     patterned();
     if (word.is("normal_map"))
         parseNormalMap();

@@ -10,7 +10,7 @@
 #include "core/shapes/solids/box.h"
 #include "core/shapes/solids/plane.h"
 #include "core/shapes/solids/sphere.h"
-#include "core/texture/object_table.h"
+#include "core/texture/tables/object_table.h"
 
 namespace isoscope {
 

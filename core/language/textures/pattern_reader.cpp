@@ -17,8 +17,8 @@
 #include "core/language/textures/object_pattern.h"
 #include "core/language/textures/pigment_parser.h"
 #include "core/language/textures/warp_parser.h"
-#include "core/texture/density_table.h"
-#include "core/texture/image_table.h"
+#include "core/texture/tables/density_table.h"
+#include "core/texture/tables/image_table.h"
 #include "core/texture/pigment_function.h"
 #include "core/texture/surface_needs.h"
 
@@ -85,9 +85,18 @@ void PatternReader::skipLeftOut() {
         if (expressions.atExpression()) expressions.parseValue();
 }
 
+bool PatternReader::countsEntries() const { return isDiscrete(pattern.kind) || isObject_; }
+
+void PatternReader::noteEntry() {
+    if (isObject_ && !opensList_)
+        warnOfRefusal(tokens_.context(), tokens_.peek().range,
+                      "wants the entries of an `object` pattern inside of its braces.", "move them there");
+}
+
 bool PatternReader::parseName() {
     const Token name = tokens_.peek();
     opensList_ = false;
+    isObject_ = false;
     volume_ = nullptr;
     isVolume_ = false;
     const auto kind = kinds.find(name.text);
@@ -155,13 +164,12 @@ int PatternReader::parseChoice(const std::string& name, int first, int last) {
 }
 
 void PatternReader::parseTiling() {
-    constexpr int tilingsOfPovray = 27;
     const SourceRange start = tokens_.peek().range;
-    pattern.tiling = parseChoice("the number of a `tiling`", 1, tilingsOfPovray);
-    if (pattern.tiling > tilingCount)
-        reportLeftOut(tokens_.context(), rangeSince(start, tokens_),
-                      "Tilings that repeat nowhere are not simulated; number " + std::to_string(tilingCount) +
-                          " is drawn.");
+    pattern.tiling = parseChoice("the number of a `tiling`", 1, penroseNumber);
+    if (pattern.tiling > tilingCount && pattern.tiling != penroseNumber)
+        reportLeftOut(
+            tokens_.context(), rangeSince(start, tokens_),
+            "Tilings 25 and 26 are not simulated; number " + std::to_string(tilingCount) + " is drawn.");
 }
 
 bool PatternReader::parseMagnet() {
@@ -205,6 +213,7 @@ bool PatternReader::parseObjectPattern() {
     pattern.function = *inside;
     // Its numbers count, too.
     pattern.frequency = 0;
+    isObject_ = true;
     opensList_ = !tokens_.accept("}");
     return true;
 }

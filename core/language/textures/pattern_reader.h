@@ -3,7 +3,7 @@
 
 #include "core/function/patterns/pattern.h"
 #include "core/language/tokens/token_stream.h"
-#include "core/texture/density_table.h"
+#include "core/texture/tables/density_table.h"
 
 namespace isoscope {
 
@@ -20,6 +20,10 @@ class PatternReader {
     bool parseName();
     /// Whether the name has left a block open, `object { Shape`, whose list of entries and `}` come next.
     bool opensList() const { return opensList_; }
+    /// Whether the values of the pattern count the entries of a list, which stands in place of a map.
+    bool countsEntries() const;
+    /// To be called before an entry of such a list: warns where POV-Ray takes none.
+    void noteEntry();
     /// Reads a modifier, if one comes next: turbulence, frequency, wave types, warps, transformations...
     bool parseModifier();
     /// Reads over the name of a pattern that is left out, with its arguments.
@@ -57,6 +61,7 @@ class PatternReader {
 
     TokenStream& tokens_;
     bool opensList_ = false;
+    bool isObject_ = false;                        ///< whether the pattern is an `object`
     bool isVolume_ = false;                        ///< whether the pattern is a `density_file`
     std::shared_ptr<const DensityVolume> volume_;  ///< of it, where it could be read
 };

@@ -182,9 +182,9 @@ bool PigmentParser::parsePattern() {
     leftOut_ = failed_ ? leftOut_ : std::string();
     const bool opensList = !average && reader_.opensList();
     if (tokens_.accept(",") && !opensList) warnOfLastComma(tokens_);
-    const MapKind kind = average                                         ? MapKind::average
-                         : isDiscrete(reader_.pattern.kind) || opensList ? MapKind::list
-                                                                         : MapKind::blend;
+    const MapKind kind = average                   ? MapKind::average
+                         : reader_.countsEntries() ? MapKind::list
+                                                   : MapKind::blend;
     if (!mapped_) mapped_.emplace();
     // Entries of another sort of map mean nothing here.
     const bool lists = (mapped_->kind == MapKind::list) != (kind == MapKind::list);
@@ -240,8 +240,10 @@ bool PigmentParser::parseListItem() {
         mapped_->entries.push_back({static_cast<double>(mapped_->entries.size()), std::move(pigment)});
         tokens_.accept(",");
     };
+    const bool isColor = atColor(tokens_) || tokens_.peek().kind == TokenKind::number;
+    if (isColor || tokens_.peek().is("pigment")) reader_.noteEntry();
     // As in POV-Ray, numbers are greys here.
-    if (atColor(tokens_) || tokens_.peek().kind == TokenKind::number) {
+    if (isColor) {
         add(SolidPigment{ExpressionParser(tokens_).parseColor(), {}});
         return true;
     }

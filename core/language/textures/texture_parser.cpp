@@ -15,7 +15,7 @@
 #include "core/language/tokens/nesting_guard.h"
 #include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
-#include "core/texture/image_table.h"
+#include "core/texture/tables/image_table.h"
 #include "core/texture/own_colors.h"
 #include "core/texture/surface_needs.h"
 #include "core/texture/warped_material.h"
@@ -312,9 +312,7 @@ bool TextureParser::parseMapItem(Material& material) {
         if (!average && !reader_.parseName()) addNotSimulated(material.notSimulated, word.text);
         if (!mapped_) mapped_.emplace();
         const bool opensList = !average && reader_.opensList();
-        mapped_->kind = average                                         ? MapKind::average
-                        : isDiscrete(reader_.pattern.kind) || opensList ? MapKind::list
-                                                                        : MapKind::blend;
+        mapped_->kind = average ? MapKind::average : reader_.countsEntries() ? MapKind::list : MapKind::blend;
         if (opensList) {
             while (tokens_.accept("texture")) addEntry();
             closeTextures("object");
@@ -334,7 +332,9 @@ bool TextureParser::parseMapItem(Material& material) {
         parseTiles();
         return true;
     }
-    if (!mapped_ || mapped_->kind != MapKind::list || !tokens_.accept("texture")) return false;
+    if (!mapped_ || mapped_->kind != MapKind::list || !tokens_.peek().is("texture")) return false;
+    reader_.noteEntry();
+    tokens_.next();
     addEntry();
     return true;
 }

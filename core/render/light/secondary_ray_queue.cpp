@@ -33,7 +33,8 @@ void SecondaryRayQueue::send(const SecondaryRayRequest& glance, const SampleBatc
     if (from.level >= settings_.maxTraceLevel || from.steps >= stepLimit) return;
     glm::dvec3 weight = from.weight * glance.weight;
     if (!batch.through.empty()) weight *= batch.through[glance.sample];
-    if (!(greatest(weight) > 0 && greatest(weight) >= settings_.adcBailout)) return;
+    const double seen = greatest(weight) * glance.seen;
+    if (!(seen > 0 && seen >= settings_.adcBailout)) return;
     const std::uint32_t target = batch.target(glance.sample);
     const std::size_t samples = work.batch.size();
     const std::uint32_t sample = target < samples ? target : work.bentSights[target - samples].sample;

@@ -10,6 +10,7 @@ struct SecondaryRayRequest {
     std::uint32_t sample = 0;  ///< whose ray has met the place
     Ray ray;
     glm::dvec3 weight{1};  ///< what the sample gets of it
+    double seen = 1;       ///< a factor of the weight that adc_bailout is compared with, beside it
     StageKind sender = StageKind::reflection;
     InteriorList inside;     ///< where the ray goes
     bool reflected = false;  ///< a mirror has turned it

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/image/brightness.h"
 #include "core/render/camera/crossing.h"
 #include "core/render/camera/mirror.h"
 #include "core/render/effect_reasons.h"
@@ -49,7 +50,14 @@ void Reflection::mirror(std::size_t k, const Material& material, SampleBatch& ba
     const LightPath& path = batch.path(sample);
     SecondaryRayRequest glance;
     glance.weight = reflectanceAt(scene_, material, points, k, path);
-    if (points.weighted) glance.weight *= points.share[k];
+    if (points.weighted && points.share[k] > 0) {
+        glance.weight *= points.share[k];
+        // What layers above let through counts for adc_bailout alone, as in POV-Ray.
+        const glm::dvec3 through = at(points.weight, k) / points.share[k];
+        glance.seen = brightness(through.x, through.y, through.z);
+    } else if (points.weighted) {
+        return;
+    }
     glance.sample = sample;
     glance.ray = {at(points.point, k), mirrored(points, k, material)};
     glance.sender = StageKind::reflection;

@@ -12,13 +12,15 @@ namespace isoscope {
 
 namespace {
 
-/// Turns a ray by Snell's law; false when nothing comes through.
+/// Turns a ray by Snell's law; false when nothing comes through. The normal may point to either side: those
+/// of textures may be bent away from the viewer.
 bool bend(const Crossing& crossing, const glm::dvec3& normal, glm::dvec3& direction) {
     const double ratio = crossing.before / crossing.after;
-    const double cosine = -glm::dot(direction, normal);
-    const double square = 1 - ratio * ratio * (1 - cosine * cosine);
+    const double along = glm::dot(direction, normal);
+    const double square = 1 - ratio * ratio * (1 - along * along);
     if (!(square >= 0)) return false;
-    const glm::dvec3 bent = ratio * direction + (ratio * cosine - std::sqrt(square)) * normal;
+    const double change = std::copysign(std::sqrt(square), along) - ratio * along;
+    const glm::dvec3 bent = ratio * direction + change * normal;
     const double length = glm::length(bent);
     if (length > 0 && std::isfinite(length)) direction = bent / length;
     return true;
@@ -108,8 +110,7 @@ void Transparency::sendBent(const Surface& surface, const LightPath& path, Secon
     const Material& material = *materialOf(points, surface.first);
     glance.sender = StageKind::refraction;
     glance.straight = false;
-    if (bend(crossingAt(scene_, path, material), facingNormal(points, surface.first, material),
-             glance.ray.direction)) {
+    if (bend(crossingAt(scene_, path, material), at(points.normal, surface.first), glance.ray.direction)) {
         glance.weight *= surface.transmission;
     } else {
         glance.ray.direction = mirrored(points, surface.first, material);

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/image/brightness.h"
 #include "core/shapes/patches/triangle_hit.h"
 #include "core/shapes/rays/hit_list.h"
 
@@ -38,7 +39,7 @@ HeightGrid heightGrid(const Raster& raster) {
                 const auto part = [&](int channel) {
                     return static_cast<float>(raster.at(x, y, channel)) / static_cast<float>(raster.largest);
                 };
-                const float brightness = 0.297F * part(0) + 0.589F * part(1) + 0.114F * part(2);
+                const float brightness = isoscope::brightness<float>(part(0), part(1), part(2));
                 grid.heights.push_back(std::floor(65535.0 * static_cast<double>(brightness)) / heightSteps);
             } else {
                 const auto byte = [&](int channel) {

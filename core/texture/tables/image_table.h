@@ -8,7 +8,7 @@
 #include "core/function/patterns/pattern_warp.h"
 #include "core/function/point_table.h"
 #include "core/texture/image_map.h"
-#include "core/texture/sample_bounds.h"
+#include "core/texture/tables/sample_bounds.h"
 
 namespace isoscope {
 

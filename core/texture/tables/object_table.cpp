@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/texture/object_table.h"
+#include "core/texture/tables/object_table.h"
 
 namespace isoscope {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/texture/facet_table.h"
+#include "core/texture/tables/facet_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/function/point_table.h"
-#include "core/texture/sample_bounds.h"
+#include "core/texture/tables/sample_bounds.h"
 
 namespace isoscope {
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/texture/image_table.h"
+#include "core/texture/tables/image_table.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/image/brightness.h"
 #include "core/texture/image_place.h"
 
 namespace isoscope {
@@ -13,7 +14,7 @@ namespace {
 /// More than transparencyLimit, and than a colour over the smallest alpha of single precision.
 constexpr double endless = 1e9;
 
-double gray(const Color& color) { return 0.297 * color.red + 0.589 * color.green + 0.114 * color.blue; }
+double gray(const Color& color) { return brightness(color.red, color.green, color.blue); }
 
 }  // namespace
 

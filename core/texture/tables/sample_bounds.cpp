@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/texture/sample_bounds.h"
+#include "core/texture/tables/sample_bounds.h"
 
 #include <algorithm>
 #include <cmath>
