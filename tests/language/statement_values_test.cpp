@@ -312,6 +312,7 @@ class StatementValuesTest : public QObject {
         row("irid { 0.25 thickness 0.5 }", "irid 0.25, thickness 0.5");
         row("irid { 0.25 thickness 0.5 turbulence 0 }", "irid 0.25, thickness 0.5");
         row("irid { 0.25 turbulence 0.5 } phong 0.3", "phong 0.3, irid 0.25, turbulence 0.5");
+        row("irid { 0.25 turbulence <0.5, 1, 2> }", "irid 0.25, turbulence 0.5");
         row("subsurface { translucency 0.5 } phong 0.3", "phong 0.3, without subsurface");
         row("ior 1.5 phong 0.3", "phong 0.3, without ior");
         row("use_alpha on phong 0.3", "phong 0.3, without use_alpha");

@@ -31,10 +31,12 @@ const WrappingModifier* findWrappingModifier(std::string_view keyword) {
 
 namespace {
 
-/// POV-Ray takes polygons, but no other patches, alone or in unions and the like.
-bool isRefused(const ObjectDescription& object) {
+/// POV-Ray takes polygons, but no other patches, alone or in unions and the like. Counts the parts looked at.
+bool isRefused(const ObjectDescription& object, std::size_t& parts) {
+    ++parts;
     if (object.shape && object.shape->isPatch()) return !dynamic_cast<const Polygon*>(object.shape.get());
-    return std::ranges::any_of(object.parts, [](const ObjectPointer& part) { return isRefused(*part); });
+    return std::ranges::any_of(object.parts,
+                               [&](const ObjectPointer& part) { return isRefused(*part, parts); });
 }
 
 }  // namespace
@@ -49,7 +51,11 @@ void readObjects(WrappingReader& reader, Wrapping& wrapping, std::string_view ot
             wrapping.objects.insert(wrapping.objects.end(), named->objects.begin(), named->objects.end());
     SourceRange start = tokens.peek().range;
     while (const std::optional<ObjectPointer> object = reader.nextObject()) {
-        if (*object && isRefused(**object))
+        constexpr std::size_t partsPerStep = 16;
+        std::size_t parts = 0;
+        const bool refused = *object && isRefused(**object, parts);
+        if (!tokens.charge(parts / partsPerStep, tokens.lastRange())) break;
+        if (refused)
             warnOfRefusal(tokens.context(), rangeSince(start, tokens),
                           "takes no patch in `" + keyword + "`: it has no inside.", "use a solid");
         if (*object) wrapping.objects.push_back({*object, {}});

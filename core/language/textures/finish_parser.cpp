@@ -148,7 +148,8 @@ bool FinishParser::parseIrid() {
         if (tokens_.accept("thickness")) {
             finish_.iridThickness = expressions.parseFloat();
         } else if (tokens_.accept("turbulence")) {
-            finish_.iridTurbulence = expressions.parseFloat();
+            // Of a vector POV-Ray takes x.
+            finish_.iridTurbulence = expressions.parseVector().x;
         } else if (tokens_.accept("}")) {
             return true;
         } else {
