@@ -25,14 +25,18 @@ inline glm::dvec3 pigmentAt(const Material& material, const SurfacePoints& point
 }
 
 /// The direction from which a mirror at point k shows light. Where a bent normal would have it come through
-/// the surface it is mirrored there once more, as in POV-Ray.
+/// the surface it is mirrored there once more, or, where the normal is bent away from the viewer, there
+/// alone, as in POV-Ray (seen in its pictures).
 inline glm::dvec3 mirrored(const SurfacePoints& points, std::size_t k, const Material& material) {
+    const auto mirror = [](const glm::dvec3& way, const glm::dvec3& normal) {
+        return way - 2 * glm::dot(way, normal) * normal;
+    };
     const glm::dvec3 view = at(points.view, k), normal = at(points.normal, k);
-    glm::dvec3 direction = view - 2 * glm::dot(view, normal) * normal;
+    glm::dvec3 direction = mirror(view, normal);
     if (points.lookedUp && material.normalTape) {
         const glm::dvec3 straight = at(points.straight, k);
-        const double rise = glm::dot(direction, straight);
-        if (rise < 0) direction -= 2 * rise * straight;
+        if (glm::dot(direction, straight) < 0)
+            direction = mirror(glm::dot(view, normal) > 0 ? view : direction, straight);
     }
     return glm::normalize(direction);
 }
