@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 3.7;
 global_settings { assumed_gamma 1 }
-// Normals with flat places, and of tilings.
+// Normals with flat places, of tilings, and with formulas of their own, which slope maps leave as they are.
 camera { location <0, 0, -12> look_at 0 angle 52 }
 light_source { <-20, 30, -40>, rgb <1, 0.8, 0.6> }
 light_source { <30, -10, -20>, rgb <0.2, 0.4, 0.6> }
@@ -25,4 +25,8 @@ box { -0.6, 0.6 normal { facets coords 0.4 scale 2 } rotate <-20, 40, 0> Place()
 box { -0.6, 0.6 normal { tiling 7 0.4 scale 0.3 rotate 90*x } rotate <-20, 40, 0> Place() }
 sphere { 0, 0.95 normal { checker normal { facets size 0.2 }, normal { bumps 0.6 scale 0.1 } scale 0.5 } Place() }
 torus { 0.6, 0.3 normal { facets size 0.4 } rotate -50*x scale <1, 1.4, 1> Place() }
+#declare Slopes = slope_map { [0.15 <0.5, -0.5>] [0.55 <0.5, -2>] [1 <0.8, 0.7>] }
+sphere { 0, 0.95 normal { bumps 0.5 slope_map { Slopes } scale 0.3 } Place() }
+sphere { 0, 0.95 normal { quilted 0.5 slope_map { Slopes } scale 0.5 } Place() }
+sphere { 0, 0.95 normal { wrinkles 0.5 slope_map { Slopes } scale 0.3 } Place() }
 plane { -z, -4 normal { facets coords 0.6 scale 5 } }
