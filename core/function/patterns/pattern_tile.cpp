@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 
 #include "core/function/patterns/pattern_call.h"
@@ -91,7 +92,7 @@ Expression square(const PatternCall& call) {
 /// Triangles of the xz plane with sides of 1 in six colours, those that point to +z and the others by turns.
 /// Measured on POV-Ray 3.7.
 Expression triangular(const PatternCall& call) {
-    constexpr double height = 0.86602540378443864676;  // sqrt(3)/2
+    constexpr double height = std::numbers::sqrt3 / 2;
     const Expression up = call.z / height, right = call.x - up / 2;
     const Expression row = floor(up), column = floor(right);
     const Expression third = wholeModulo(column - row, 3);
@@ -102,7 +103,7 @@ Expression triangular(const PatternCall& call) {
     return select((up - row) + (right - column) - 1, ofThird(0, 4, 2), ofThird(3, 5, 1));
 }
 
-/// A tile's share of Tiling, and how far inside of it the point is, in bevels, which is below 0 outside.
+/// What the pattern is at a point if it lies in a tile, and how far inside it lies, below 0 outside.
 struct TileValue {
     Expression inside, value;
 };

@@ -33,9 +33,10 @@ class InverseShape : public Shape {
     ShapePointer surface_;  ///< the same solid without inner surfaces
 };
 
-/// The shape with inside and outside changed, by POV-Ray's rules. Of what has patches each part is turned
-/// over: a union becomes an intersection, and an intersection a merge. Clips (ClippedShape) are not turned
-/// over, so what they cut off is outside of both, and the inverse of an inverse is the shape itself.
+/// The shape with inside and outside changed, by POV-Ray's rules. Clips (ClippedShape) are not turned over,
+/// so what they cut off is outside of both. The inverse of an inverse is the shape itself, but for what has
+/// patches: of that each part is turned over, so that a union becomes an intersection, and an intersection a
+/// merge.
 ShapePointer inverseOf(const ShapePointer& shape);
 
 }  // namespace isoscope
