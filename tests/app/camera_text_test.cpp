@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <glm/geometric.hpp>
-#include <QtTest>
+#include <QTest>
 
 #include "core/language/parse.h"
 #include "core/scene/orbit_view.h"

@@ -2,7 +2,7 @@
 #include <QAction>
 #include <QFile>
 #include <QPainter>
-#include <QtTest>
+#include <QTest>
 
 #include "app/desktop/window/actions.h"
 #include "core/render/verdict_map.h"

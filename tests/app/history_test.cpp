@@ -3,7 +3,7 @@
 #include <QDockWidget>
 #include <QRandomGenerator>
 #include <QSlider>
-#include <QtTest>
+#include <QTest>
 
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/files/history_keeper.h"

@@ -5,9 +5,9 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QPushButton>
+#include <QTest>
 #include <QToolBar>
 #include <QTreeWidget>
-#include <QtTest>
 
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"

@@ -5,12 +5,17 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QElapsedTimer>
-#include <QtTest>
+#include <QEventLoop>
+#include <QFileInfo>
+#include <QTest>
+#include <QThread>
+#include <QTimer>
 
 #include "app/desktop/studies/study_controller.h"
 #include "app/desktop/studies/verdict_controller.h"
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
+#include "test_folders.h"
 #include "tests/app/window_driver.h"
 #include "tests/support/builtin_scene.h"
 #include "tests/support/csv_table.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
-#include <QtTest>
+#include <QTest>
 #include <semaphore>
 
 #include "widgets/latest_worker.h"

@@ -2,7 +2,7 @@
 #include <QAction>
 #include <QFile>
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"

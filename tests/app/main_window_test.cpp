@@ -5,12 +5,16 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QFileInfo>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStatusBar>
+#include <QTest>
 #include <QTreeWidget>
-#include <QtTest>
+#include <QUrl>
 
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/files/export_controller.h"

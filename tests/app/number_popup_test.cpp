@@ -3,7 +3,7 @@
 #include <QAction>
 #include <QDoubleSpinBox>
 #include <QSlider>
-#include <QtTest>
+#include <QTest>
 
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"

@@ -3,7 +3,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QStatusBar>
-#include <QtTest>
+#include <QTest>
 
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"

@@ -2,9 +2,9 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
-#include <QtTest>
 
 #include "app/desktop/editing/preview_light.h"
 #include "app/desktop/editing/quick_fixer.h"

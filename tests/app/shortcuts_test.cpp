@@ -17,8 +17,8 @@
 #include <QRandomGenerator>
 #include <QScrollBar>
 #include <QSlider>
+#include <QTest>
 #include <QTreeWidget>
-#include <QtTest>
 
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/command_keys.h"

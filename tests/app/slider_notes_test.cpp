@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
 #include <QLineEdit>
+#include <QTest>
 #include <QToolButton>
-#include <QtTest>
 
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"

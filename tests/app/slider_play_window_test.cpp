@@ -2,8 +2,8 @@
 #include <QAction>
 #include <QFile>
 #include <QSignalSpy>
+#include <QTest>
 #include <QToolButton>
-#include <QtTest>
 
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"

@@ -6,7 +6,7 @@
 #include <QFile>
 #include <QRandomGenerator>
 #include <QSlider>
-#include <QtTest>
+#include <QTest>
 
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"

@@ -7,8 +7,8 @@
 #include <QMenu>
 #include <QSignalSpy>
 #include <QStatusBar>
+#include <QTest>
 #include <QToolButton>
-#include <QtTest>
 
 #include "app/desktop/editing/timeline_controller.h"
 #include "app/desktop/window/actions.h"

@@ -7,17 +7,19 @@
 #include <QDoubleSpinBox>
 #include <QFontDatabase>
 #include <QLabel>
+#include <QLocale>
 #include <QMenu>
 #include <QMenuBar>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QTest>
+#include <QToolButton>
 #include <QTranslator>
 #include <QTreeWidget>
-#include <QToolButton>
-#include <QtTest>
 
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
+#include "test_folders.h"
 #include "tests/app/cut_texts.h"
 #include "tests/app/window_driver.h"
 #include "widgets/editor/reading_bar.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <QImage>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "app/desktop/window/main_window.h"
 #include "tests/support/image_pixels.h"

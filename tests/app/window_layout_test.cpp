@@ -7,9 +7,9 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabBar>
+#include <QTest>
 #include <QToolBar>
 #include <QToolButton>
-#include <QtTest>
 
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/dock_tabs.h"

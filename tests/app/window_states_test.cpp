@@ -5,8 +5,9 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QSpinBox>
+#include <QTest>
+#include <QTimer>
 #include <QTreeWidget>
-#include <QtTest>
 
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/window/actions.h"

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/exchange/png.h"
+#include "test_folders.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/povray.h"
 #include "tests/support/program.h"

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/exchange/png.h"
+#include "test_folders.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/png_channels.h"
 #include "tests/support/program.h"

@@ -4,6 +4,7 @@
 #include <QProcess>
 #include <QTest>
 
+#include "test_folders.h"
 #include "tests/support/small_disk.h"
 
 using namespace isoscope::test;

@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "test_folders.h"
 #include "tests/support/program.h"
 
 using namespace isoscope;

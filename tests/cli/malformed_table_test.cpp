@@ -2,6 +2,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "test_folders.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/program.h"
 

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "core/language/parse.h"
+#include "test_folders.h"
 #include "tests/roots/hard_ray.h"
 #include "tests/support/program.h"
 #include "tests/support/proof_follower.h"

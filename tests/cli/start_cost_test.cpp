@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "test_folders.h"
 #include "tests/support/program.h"
 
 using namespace isoscope::test;

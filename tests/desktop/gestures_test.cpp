@@ -5,9 +5,10 @@
 #include <QLabel>
 #include <QMenu>
 #include <QRandomGenerator>
+#include <QRegularExpression>
 #include <QSlider>
+#include <QTest>
 #include <QToolButton>
-#include <QtTest>
 
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"

@@ -2,7 +2,7 @@
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
-#include <QtTest>
+#include <QTest>
 
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"

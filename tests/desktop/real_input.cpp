@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <QGuiApplication>
 #include <QProcess>
+#include <QTest>
 #include <QWidget>
-#include <QtTest>
 
 namespace isoscope::test {
 

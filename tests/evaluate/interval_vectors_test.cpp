@@ -12,6 +12,7 @@
 #include "core/evaluate/box_evaluator.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/text/number_format.h"
+#include "test_folders.h"
 #include "tests/support/exact_range.h"
 #include "tests/support/instruction_sets.h"
 

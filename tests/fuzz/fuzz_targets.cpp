@@ -14,6 +14,7 @@
 #include "core/text/csv_table.h"
 #include "core/texture/tables/density_table.h"
 #include "core/virtualight/scene_reader.h"
+#include "test_folders.h"
 
 namespace isoscope::test {
 

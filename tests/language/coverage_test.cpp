@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "test_folders.h"
 #include "tests/support/csv_table.h"
 
 using namespace isoscope;

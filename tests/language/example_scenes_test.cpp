@@ -7,6 +7,7 @@
 #include "core/language/directives/library_paths.h"
 #include "core/language/parse.h"
 #include "core/text/csv_table.h"
+#include "test_folders.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/problems.h"
 

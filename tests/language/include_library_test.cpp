@@ -11,6 +11,7 @@
 #include "core/language/directives/asset_file.h"
 #include "core/language/directives/library_paths.h"
 #include "core/language/directives/native_includes.h"
+#include "test_folders.h"
 #include "tests/language/stream_run.h"
 
 using namespace isoscope;

@@ -11,6 +11,7 @@
 
 #include "core/language/parse.h"
 #include "core/text/number_format.h"
+#include "test_folders.h"
 #include "tests/language/stream_run.h"
 
 using namespace isoscope;

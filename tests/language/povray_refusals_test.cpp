@@ -2,9 +2,10 @@
 #include "core/language/tokens/povray_refusals.h"
 
 #include <QFile>
-#include <QtTest>
+#include <QTest>
 
 #include "core/language/parse.h"
+#include "test_folders.h"
 #include "tests/support/problems.h"
 
 using namespace isoscope;

@@ -14,6 +14,7 @@ namespace {
 
 const char* const everything = R"(#version 3.7;
 #include "colors.inc"
+#include "test_folders.h"
 global_settings { assumed_gamma 1 }
 #declare Size = 1.5; // [0:2]
 #macro Ball(P, R) sphere { P, R pigment { color rgb <1, 0.5, 0> } } #end

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/language/parse.h"
+#include "test_folders.h"
 #include "tests/support/problems.h"
 
 using namespace isoscope;

@@ -18,6 +18,7 @@
 #include "core/language/parse.h"
 #include "core/language/statement_description.h"
 #include "core/language/tokens/block_words.h"
+#include "test_folders.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/povray.h"
 

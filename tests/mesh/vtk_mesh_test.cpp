@@ -15,6 +15,7 @@
 #include "core/exchange/read_scene.h"
 #include "core/mesh/files/mesh_file.h"
 #include "core/mesh/scene_mesh.h"
+#include "test_folders.h"
 #include "tests/support/program.h"
 
 using namespace isoscope;

@@ -2,6 +2,7 @@
 // Balls that a pattern displaces, proven, beside POV-Ray's; the colour tells how far away they are.
 #include <QTest>
 
+#include "test_folders.h"
 #include "tests/support/scene_picture.h"
 
 using namespace isoscope;

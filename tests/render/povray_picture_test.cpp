@@ -7,6 +7,7 @@
 
 #include "core/exchange/isosurface_export.h"
 #include "core/exchange/pov_export.h"
+#include "test_folders.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/scene_picture.h"
 

@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "core/function/builtins/builtin.h"
+#include "test_folders.h"
 #include "tests/support/builtin_scene.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/instruction_sets.h"

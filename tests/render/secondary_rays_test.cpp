@@ -3,6 +3,7 @@
 
 #include "core/render/light/secondary_ray_queue.h"
 #include "core/render/picture.h"
+#include "test_folders.h"
 #include "tests/support/scene_picture.h"
 
 using namespace isoscope;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "core/render/progressive/progressive_renderer.h"
+#include "test_folders.h"
 #include "tests/support/scene_picture.h"
 
 using namespace isoscope;

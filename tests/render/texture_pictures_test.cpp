@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "test_folders.h"
 #include "tests/support/scene_picture.h"
 
 using namespace isoscope;

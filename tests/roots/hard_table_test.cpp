@@ -25,6 +25,7 @@
 #include "core/roots/lipschitz/tape_field.h"
 #include "core/text/csv_table.h"
 #include "core/text/number_format.h"
+#include "test_folders.h"
 #include "tests/roots/hard_ray.h"
 #include "tests/roots/line_table.h"
 #include "tests/support/exact_line.h"

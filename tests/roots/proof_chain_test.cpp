@@ -13,6 +13,7 @@
 #include "core/evaluate/reference_evaluator.h"
 #include "core/language/parse.h"
 #include "core/roots/certified/certified_root_finder.h"
+#include "test_folders.h"
 #include "tests/roots/hard_ray.h"
 #include "tests/support/exact_pieces.h"
 #include "tests/support/proof_follower.h"

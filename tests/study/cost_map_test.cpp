@@ -2,7 +2,7 @@
 #include "core/study/view/cost_map.h"
 
 #include <numeric>
-#include <QtTest>
+#include <QTest>
 
 #include "core/render/render_image.h"
 #include "tests/support/study_scene.h"

@@ -10,6 +10,7 @@
 #include "core/study/gradient/gradient_verdict.h"
 #include "core/study/gradient/hole_map.h"
 #include "core/study/view/fitted_view.h"
+#include "test_folders.h"
 #include "tests/support/problems.h"
 #include "tests/support/scene_picture.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/view/formula_isosurface.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/language/parse.h"
 #include "core/render/render_image.h"

@@ -8,6 +8,7 @@
 #include "core/exchange/read_scene.h"
 #include "core/render/render_image.h"
 #include "core/study/gradient/hole_map.h"
+#include "test_folders.h"
 #include "tests/support/problems.h"
 #include "tests/support/scene_picture.h"
 

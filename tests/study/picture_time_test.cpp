@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/accuracy/picture_time.h"
 
-#include <QtTest>
+#include <QTest>
 #include <vector>
 
 #include "tests/support/study_scene.h"

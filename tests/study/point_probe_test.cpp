@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/study_scene.h"
 

@@ -12,6 +12,7 @@
 #include <QTemporaryDir>
 
 #include "core/exchange/png.h"
+#include "test_folders.h"
 
 namespace isoscope::test {
 

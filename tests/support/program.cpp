@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "test_folders.h"
 #include "tests/support/program.h"
 
 #include <QDir>

@@ -6,6 +6,7 @@
 #include "core/language/parse.h"
 #include "core/scene/scene.h"
 #include "core/shapes/isosurface/isosurface.h"
+#include "test_folders.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/problems.h"
 

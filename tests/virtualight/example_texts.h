@@ -7,6 +7,7 @@
 
 #include "core/exchange/read_scene.h"
 #include "core/virtualight/scene_reader.h"
+#include "test_folders.h"
 
 namespace isoscope::test {
 

@@ -5,11 +5,12 @@
 
 #include <cmath>
 #include <QApplication>
+#include <QFile>
 #include <QImage>
 #include <QPainter>
 #include <QSvgRenderer>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "core/text/csv_table.h"
 

@@ -10,6 +10,7 @@
 #include "core/study/gradient/gradient_study.h"
 #include "core/study/gradient/gradient_verdict.h"
 #include "core/study/view/surface_bounds.h"
+#include "test_folders.h"
 #include "tests/support/scene_picture.h"
 #include "widgets/editor/text_outline.h"
 

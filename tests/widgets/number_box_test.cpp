@@ -2,7 +2,7 @@
 #include "widgets/numbers/number_box.h"
 
 #include <QLineEdit>
-#include <QtTest>
+#include <QTest>
 
 using namespace isoscope;
 

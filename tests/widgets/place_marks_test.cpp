@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/viewport/place_marks.h"
 
+#include <QLineF>
 #include <QPainter>
-#include <QtTest>
+#include <QTest>
 
 using namespace isoscope;
 

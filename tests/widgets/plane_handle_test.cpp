@@ -4,9 +4,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <QImage>
+#include <QLineF>
 #include <QPainter>
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 
 using namespace isoscope;
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 using namespace isoscope;

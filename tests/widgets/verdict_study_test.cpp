@@ -2,7 +2,7 @@
 #include "widgets/verdicts/verdict_study.h"
 
 #include <future>
-#include <QtTest>
+#include <QTest>
 #include <thread>
 
 #include "core/language/parse.h"

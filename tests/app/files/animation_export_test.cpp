@@ -10,7 +10,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"

@@ -2,12 +2,16 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSpinBox>
-#include <QtTest>
+#include <QTest>
+#include <QTimer>
 
 #include "app/desktop/files/document_controller.h"
 #include "app/desktop/files/export_controller.h"

@@ -7,7 +7,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "core/language/parse.h"
 #include "widgets/pictures/image_export_dialog.h"

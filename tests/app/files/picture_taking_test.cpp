@@ -3,7 +3,7 @@
 #include <QClipboard>
 #include <QMimeData>
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 #include <QUrl>
 
 #include "app/desktop/files/export_controller.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
+#include <QTest>
 #include <QToolBar>
-#include <QtTest>
 
 #include "app/desktop/window/actions.h"
 #include "tests/app/window_driver.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <QtTest>
+#include <QTest>
 
 #include "core/language/parse.h"
 #include "widgets/section/section_sampler.h"

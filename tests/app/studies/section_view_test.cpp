@@ -2,9 +2,10 @@
 #include <dlfcn.h>
 #include <cmath>
 #include <limits>
+#include <QMessageLogContext>
 #include <QSet>
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/image_pixels.h"
 #include "widgets/section/section_view.h"

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <map>
 
+#include "test_folders.h"
 #include "tests/support/csv_table.h"
 #include "widgets/editor/scene_scanner.h"
 
