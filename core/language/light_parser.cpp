@@ -49,6 +49,7 @@ LightSource LightParser::parse() {
     if (start.file < sources.size()) light.line = sources[start.file].position(start.begin).line;
     if (!tokens_.expect("{", "to begin `light_source`")) return light;
     parseStart(light);
+    hasBeam_ = light.kind == LightKind::spotlight || light.kind == LightKind::cylinder;
     while (!tokens_.peek().is("}")) {
         Transform transform;
         if (TransformParser(tokens_).parseModifier(transform)) {
@@ -67,6 +68,10 @@ LightSource LightParser::parse() {
         passUnknownItem(tokens_, "light_source");
     }
     tokens_.next();
+    if (light.area && light.area->circular && (light.area->columns == 1 || light.area->rows == 1))
+        warnOfRefusal(tokens_.context(), rangeSince(start, tokens_),
+                      "wants more than one light along each edge of a `circular` area.",
+                      "leave `circular` out, or give both edges at least 2 lights");
     // As render/illuminating_areas.h has it.
     const bool whole = light.area && light.area->illumination;
     if (whole && (light.area->orient || light.area->columns * light.area->rows > mostIlluminating))
@@ -100,22 +105,53 @@ void LightParser::parseStart(LightSource& light) {
 
 bool LightParser::parseItem(LightSource& light) {
     if (tokens_.accept(",")) warnOfLastComma(tokens_);
-    if (tokens_.accept("spotlight"))
-        light.kind = LightKind::spotlight;
-    else if (tokens_.accept("cylinder"))
-        light.kind = LightKind::cylinder;
-    else if (tokens_.accept("parallel"))
-        light.kind = LightKind::parallel;
-    else if (tokens_.accept("shadowless"))
-        light.shadowless = true;
-    else if (tokens_.accept("point_at"))
+    const Token word = tokens_.peek();
+    if (tokens_.accept("point_at")) {
         light.pointAt = ExpressionParser(tokens_).parseVector();
-    else if (tokens_.accept("color") || tokens_.accept("colour"))
+        if (light.kind != LightKind::parallel)
+            warnWithoutBeam(word.range, "`spotlight`, `cylinder` or `parallel`");
+    } else if (tokens_.accept("color") || tokens_.accept("colour"))
         light.color = ExpressionParser(tokens_).parseColor();
     else
-        return parseNumberItem(light) || parseAreaItem(light) || parseMediaItem(light) || parseLooks(light) ||
-               parseBlockItem(light);
+        return parseKind(light) || parseNumberItem(light) || parseAreaItem(light) || parseMediaItem(light) ||
+               parseLooks(light) || parseBlockItem(light);
     return true;
+}
+
+bool LightParser::parseKind(LightSource& light) {
+    // To POV-Ray `shadowless` is a kind beside `spotlight` and `cylinder`, of which the last one holds. The
+    // rays of cylinders are parallel, and stay so whatever comes later; the cone of a spotlight with parallel
+    // rays has no end.
+    const bool parallel = light.kind == LightKind::parallel || light.kind == LightKind::cylinder;
+    const auto begin = [&](LightKind kind, double radius, double falloff) {
+        light.kind = kind;
+        light.radius = radius;
+        light.falloff = falloff;
+        light.tightness = 0;
+        light.shadowless = false;
+        hasBeam_ = true;
+    };
+    if (tokens_.accept("spotlight")) {
+        begin(parallel ? LightKind::parallel : LightKind::spotlight, 30, 45);
+    } else if (tokens_.accept("cylinder")) {
+        begin(LightKind::cylinder, 0.75, 1);
+    } else if (tokens_.accept("parallel")) {
+        if (!parallel) light.kind = LightKind::parallel;
+    } else if (tokens_.accept("shadowless")) {
+        light.kind = parallel ? LightKind::parallel : LightKind::point;
+        light.shadowless = true;
+        hasBeam_ = false;
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void LightParser::warnWithoutBeam(const SourceRange& start, const char* kinds) {
+    if (!hasBeam_)
+        warnOfRefusal(tokens_.context(), rangeSince(start, tokens_),
+                      std::string("takes this only behind ") + kinds + ", and not behind `shadowless`.",
+                      "put it behind the kind of the light, or leave it out");
 }
 
 bool LightParser::parseNumberItem(LightSource& light) {
@@ -128,9 +164,12 @@ bool LightParser::parseNumberItem(LightSource& light) {
                                                    {"tightness", &LightSource::tightness},
                                                    {"fade_distance", &LightSource::fadeDistance},
                                                    {"fade_power", &LightSource::fadePower}}};
+    static constexpr const Entry* beamItems = entries.data() + 3;
+    const Token word = tokens_.peek();
     for (const Entry& entry : entries)
         if (tokens_.accept(entry.word)) {
             light.*entry.member = ExpressionParser(tokens_).parseFloat();
+            if (&entry < beamItems) warnWithoutBeam(word.range, "`spotlight` or `cylinder`");
             return true;
         }
     return false;
@@ -141,7 +180,7 @@ bool LightParser::parseArea(LightSource& light) {
     if (!tokens_.accept("area_light")) return false;
     ExpressionParser expressions(tokens_);
     // What has been said before of adaptive and the like stays.
-    LightArea area = light.area.value_or(LightArea());
+    LightArea area = light.area.value_or(areaSaid_);
     area.edge = expressions.parseVector();
     tokens_.accept(",");
     area.otherEdge = expressions.parseVector();
@@ -165,8 +204,7 @@ bool LightParser::parseAreaItem(LightSource& light) {
     if (parseArea(light)) return true;
     const Token word = tokens_.peek();
     ExpressionParser expressions(tokens_);
-    LightArea ignored;
-    LightArea& area = light.area ? *light.area : ignored;
+    LightArea& area = light.area ? *light.area : areaSaid_;
     if (tokens_.accept("adaptive")) {
         const double level = expressions.parseFloat();
         area.adaptive = level >= 100 ? 100 : level > 0 ? static_cast<int>(level) : 0;

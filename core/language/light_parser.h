@@ -26,7 +26,9 @@ class LightParser {
   private:
     void parseStart(LightSource& light);
     bool parseItem(LightSource& light);
+    bool parseKind(LightSource& light);
     bool parseNumberItem(LightSource& light);
+    void warnWithoutBeam(const SourceRange& start, const char* kinds);
     bool parseArea(LightSource& light);
     bool parseAreaItem(LightSource& light);
     bool parseLooks(const LightSource& light);
@@ -37,6 +39,8 @@ class LightParser {
     TokenStream& tokens_;
     SceneDraft* draft_;
     ObjectPointer looks_;
+    LightArea areaSaid_;    ///< what is said of the area before `area_light`
+    bool hasBeam_ = false;  ///< `spotlight` or `cylinder` has been read, and no `shadowless` since
 };
 
 /// The light carried by a transform.
