@@ -36,7 +36,7 @@ struct Finish {
     double reflectionExponent = 1;   ///< reflected light counts to the power of 1 / this
     double reflectionMetallic = 0;
     bool conserveEnergy = false;
-    double irid = 0;  ///< how much a thin film adds to or takes from the diffuse light
+    double irid = 0;  ///< how much a thin film adds to or takes from light
     double iridThickness = 0;
     double iridTurbulence = 0;  ///< how much the thickness differs from place to place
     /// Keywords of the scene that have no effect here ("subsurface"), for the list of what was left out.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/trigonometric.hpp>
 #include <numbers>
 
 #include "core/render/light/surface_light.h"
@@ -41,6 +42,10 @@ glm::dvec3 reflectance(const Finish& finish, const glm::dvec3& pigment, double c
     if (finish.reflectionMetallic == 0) return result;
     const double tint = finish.reflectionMetallic * (1 - whiteness(cosine));
     return result * (glm::dvec3(1) + (pigment - glm::dvec3(1)) * tint);
+}
+
+glm::dvec3 filmShare(const Finish& finish, double thickness, double cosines, const glm::dvec3& wavelengths) {
+    return glm::dvec3(1) + finish.irid * glm::cos(2 * std::numbers::pi * thickness * cosines / wavelengths);
 }
 
 }  // namespace isoscope

@@ -15,4 +15,9 @@ double fresnel(double ratio, double cosine);
 /// (measured): `cosine` and `ratio` as for fresnel(), `pigment` tints metals.
 glm::dvec3 reflectance(const Finish& finish, const glm::dvec3& pigment, double cosine, double ratio);
 
+/// What the thin film of a finish (`irid`), as thick as `thickness`, makes of mirrored light, channel by
+/// channel, as POV-Ray 3.7 has it (measured): the cosines of the angles of light and view add up to
+/// `cosines`.
+glm::dvec3 filmShare(const Finish& finish, double thickness, double cosines, const glm::dvec3& wavelengths);
+
 }  // namespace isoscope

@@ -71,8 +71,8 @@ HWY_INLINE Vector specular(const Finish& finish, const Triple& normal, const Tri
     return hn::Mul(constant(finish.specular), power(cosine, 1 / finish.roughness));
 }
 
-/// What a thin film on the surface makes of the diffuse light, where the cosines of the angles of light and
-/// view add up to `cosines`.
+/// What a thin film on the surface makes of the light that comes back from it, where the cosines of the
+/// angles of light and view add up to `cosines`; filmShare() of reflectance.h says the same of mirrors.
 HWY_INLINE Triple withFilm(const Lighting& lighting, const Triple& light, Vector thickness, Vector cosines) {
     const auto channel = [&](double wavelength, Vector value) HWY_ATTR {
         const Vector turns = hn::Mul(thickness, constant(2 * std::numbers::pi / wavelength));
@@ -96,12 +96,14 @@ HWY_INLINE Triple returned(const Lighting& lighting, const Triple& pigment, cons
         diffuse = hn::Add(diffuse,
                           hn::Mul(constant(finish.diffuseBack), power(hn::Neg(cosine), finish.brilliance)));
     Triple result = times(pigment, diffuse);
-    if (finish.irid != 0) result = withFilm(lighting, result, film, hn::Sub(cosine, dot(facing, view)));
-    if (!lighting.highlights) return result;
-    const Vector strength =
-        hn::Add(phong(finish, facing, view, light), specular(finish, facing, view, light));
-    const Vector highlight = hn::IfThenElseZero(positive(cosine), strength);
-    return plus(result, times(highlightTint(finish.metallic, cosine, pigment), highlight));
+    if (lighting.highlights) {
+        const Vector strength =
+            hn::Add(phong(finish, facing, view, light), specular(finish, facing, view, light));
+        const Vector highlight = hn::IfThenElseZero(positive(cosine), strength);
+        result = plus(result, times(highlightTint(finish.metallic, cosine, pigment), highlight));
+    }
+    if (finish.irid == 0) return result;
+    return withFilm(lighting, result, film, hn::Sub(cosine, dot(facing, view)));
 }
 
 }  // namespace isoscope::HWY_NAMESPACE

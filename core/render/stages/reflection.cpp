@@ -24,6 +24,8 @@ class Reflection : public Stage {
 
   private:
     void mirror(std::size_t point, const Material& material, SampleBatch& batch, TileScratch& work) const;
+    glm::dvec3 throughFilm(const SurfacePoints& points, std::size_t point, const Material& material,
+                           const glm::dvec3& direction) const;
 
     const Scene& scene_;
     SecondaryRayQueue sender_;
@@ -40,6 +42,13 @@ void Reflection::run(TileScratch& work, SampleBatch& batch) const {
         if (material.finish.reflects()) mirror(k, material, batch, work);
     }
     work.charge(StageKind::reflection);
+}
+
+glm::dvec3 Reflection::throughFilm(const SurfacePoints& points, std::size_t k, const Material& material,
+                                   const glm::dvec3& direction) const {
+    const double thickness = material.filmTape ? points.film[k] : material.finish.iridThickness;
+    const double cosines = glm::dot(facingNormal(points, k, material), direction - at(points.view, k));
+    return filmShare(material.finish, thickness, cosines, rgb(scene_.settings.iridWavelength));
 }
 
 void Reflection::mirror(std::size_t k, const Material& material, SampleBatch& batch,
@@ -60,6 +69,7 @@ void Reflection::mirror(std::size_t k, const Material& material, SampleBatch& ba
     }
     glance.sample = sample;
     glance.ray = {at(points.point, k), mirrored(points, k, material)};
+    if (material.finish.irid != 0) glance.weight *= throughFilm(points, k, material, glance.ray.direction);
     glance.sender = StageKind::reflection;
     glance.inside = path.inside;
     glance.reflected = true;
