@@ -17,6 +17,7 @@
 #include "core/render/effect_description.h"
 #include "core/render/render_request.h"
 #include "core/scene/camera_lens.h"
+#include "core/scene/camera_projection.h"
 #include "core/shapes/patches/vector_triple-inl.h"
 
 #ifndef ISOSCOPE_RENDER_CAMERA_RAYS_ONCE
@@ -143,15 +144,15 @@ void CameraRays::appendCurved(std::span<const SampleBatch::PixelPosition> places
     if (camera_.normalTape) bend(places, before, rays);
 }
 
-/// The rays count as normals of a surface whose points are the places in the picture, from -0.5 to 0.5, as in
-/// POV-Ray 3.7 (measured).
+/// The rays count as normals of a surface through normalPlace(), as in POV-Ray 3.7 (measured).
 void CameraRays::bend(std::span<const SampleBatch::PixelPosition> places, std::size_t first,
                       RayBatch& rays) const {
     std::array<std::vector<double>, 6> columns;
     for (std::size_t k = 0; k < places.size(); ++k) {
         const glm::dvec3 way = rays.ray(first + k).direction;
-        const std::array<double, 6> arguments{
-            places[k].x / width_ - 0.5, 0.5 - places[k].y / height_, 0, way.x, way.y, way.z};
+        const glm::dvec2 place =
+            normalPlace(camera_, places[k].x / width_ - 0.5, 0.5 - places[k].y / height_);
+        const std::array<double, 6> arguments{place.x, place.y, 0, way.x, way.y, way.z};
         for (std::size_t c = 0; c < columns.size(); ++c) columns[c].push_back(arguments[c]);
     }
     std::array<const double*, 6> arguments;
