@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <glm/geometric.hpp>
 
+#include "test_folders.h"
 #include "tests/support/scene_picture.h"
 
 using namespace isoscope;
@@ -44,6 +45,16 @@ class EffectPicturesTest : public QObject {
         QVERIFY(!find(cost, StageKind::areaLights));
         QVERIFY(find(cost, StageKind::shadows)->rays > 0);
         QVERIFY(!find(costOf(ballUnder("area_light x, z, 9, 9 shadowless")), StageKind::areaLights));
+    }
+
+    /// The disc was asked once for all lights of the area, from its middle, and had a hard edge.
+    void projectedAreasAskForEachOfTheirLights() {
+        const std::string disc = " shadowless projected_through { disc { <0.5, 2, -0.5>, y, 9 } }";
+        const std::uint64_t points = find(costOf(ballUnder(disc)), StageKind::projection)->rays;
+        QVERIFY(points > 1000);
+        const RenderStatistics cost = costOf(ballUnder("area_light x, z, 3, 3" + disc));
+        QCOMPARE(find(cost, StageKind::projection)->rays, 9 * points);
+        QVERIFY(!find(cost, StageKind::shadows));
     }
 
     void everyLightOfAnAreaIsAskedOnce() {

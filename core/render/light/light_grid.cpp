@@ -28,8 +28,9 @@ LightGrid::LightGrid(const LightSource& light, const glm::dvec3& point)
     glm::dvec3 across = glm::cross(view, glm::dvec3(0, 0, 1));
     if (glm::length(across) < 1e-6 * distance) across = {1, 0, 0};
     const glm::dvec3 first = glm::normalize(across);
+    // Both are as long as the first one, as in POV-Ray (measured).
     edge_ = glm::length(area_.edge) * first;
-    otherEdge_ = glm::length(area_.otherEdge) * glm::cross(first, view / distance);
+    otherEdge_ = glm::length(area_.edge) * glm::cross(first, view / distance);
 }
 
 glm::dvec3 LightGrid::place(int column, int row) const {

@@ -157,7 +157,7 @@ AreaLights::AreaLights(const Scene& scene, std::unique_ptr<LightFilter> shadows)
 void AreaLights::filter(TileScratch& work, SurfacePoints& points, std::size_t number) const {
     const LightSource& light = scene_.lights[number];
     if (!light.area) return shadows_->filter(work, points, number);
-    if (light.shadowless) return;
+    if (light.shadowless && !light.projectedThrough) return;
     AreaLightWork& own =
         work.context.state<AreaLightWork>(this, [] { return std::make_unique<AreaLightWork>(); });
     const std::size_t lights =
@@ -212,11 +212,15 @@ void AreaLights::askAll(const LightSource& light, const SurfacePoints& points, s
 namespace {
 
 EffectReason reasonFor(const Scene& scene) {
-    const auto soft = [](const LightSource& light) { return light.area && !light.shadowless; };
+    const auto soft = [](const LightSource& light) {
+        return light.area && (!light.shadowless || light.projectedThrough);
+    };
     const auto light = std::find_if(scene.lights.begin(), scene.lights.end(), soft);
     if (light == scene.lights.end()) return {false, "no light that casts shadows has an area"};
     EffectReason shadows = effects::shadows.reasonFor(scene);
-    if (!shadows.needed && !effects::clearShadows.reasonFor(scene).needed) return shadows;
+    if (!shadows.needed && !effects::clearShadows.reasonFor(scene).needed &&
+        !effects::projection.reasonFor(scene).needed)
+        return shadows;
     return {true, placeOf(*light) + " has " +
                       counted(static_cast<std::size_t>(light->area->columns) *
                                   static_cast<std::size_t>(light->area->rows),

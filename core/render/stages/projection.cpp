@@ -11,7 +11,7 @@ namespace {
 
 /// Takes away the light of sources with `projected_through` that does not come through their object. What
 /// lies beyond the object casts no shadow: SurfacePoints::distance ends there. One ray for each
-/// place that such a light would brighten.
+/// place that such a light would brighten, or for each of its lights where it has an area.
 class Projection : public LightFilter {
   public:
     /// The scene must outlive the stage.
@@ -57,7 +57,7 @@ EffectReason reasonFor(const Scene& scene) {
 }
 
 void build(PictureParts& parts) {
-    parts.lightFilters->before.addFirst(std::make_unique<Projection>(parts.scene()));
+    parts.lightFilters->shadows.addFirst(std::make_unique<Projection>(parts.scene()));
 }
 
 }  // namespace
