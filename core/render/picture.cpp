@@ -144,9 +144,11 @@ void Picture::prepareEmptiness() {
 InteriorList Picture::aroundCamera() const {
     InteriorList inside;
     TraceContext context(request_.scene->parameterTable, request_.rootFinder);
+    const glm::dvec3& eye = request_.camera.location;
+    // POV-Ray asks first for the bounds: no camera is within a disc, which has half the space for its inside.
     for (const SceneObject& object : request_.scene->objects)
         if (object.interior != noInterior && !inside.has(object.interior) && object.shape &&
-            object.shape->contains(request_.camera.location, context))
+            object.shape->bounds().contains(eye) && object.shape->contains(eye, context))
             inside.enter(object.interior);
     return inside;
 }

@@ -39,7 +39,7 @@ FogStage::FogStage(const RenderRequest& request)
 void FogStage::run(TileScratch& work, SampleBatch& batch) const {
     auto& own =
         work.context.state<FogLookup::Work>(this, [&] { return fogs_.makeWork(work.context.parameters()); });
-    batch.through.assign(batch.size(), glm::dvec3(1));
+    if (batch.through.empty()) batch.through.assign(batch.size(), glm::dvec3(1));
     work.distances.assign(batch.size(), HitBatch::never);
     for (std::size_t i = 0; i < batch.rays.size(); ++i)
         work.distances[batch.rays.samples()[i]] = batch.hits[HitBatch::t][i];
@@ -77,7 +77,7 @@ void FogStage::lay(std::size_t way, std::uint32_t sample, const FogLookup::Work&
     glm::dvec3& color = batch.colors[sample];
     // Endless light that does not come through is none.
     for (int c = 0; c < 3; ++c) color[c] = haze[c] + (through[c] > 0 ? through[c] * color[c] : 0);
-    batch.through[sample] = through;
+    batch.through[sample] *= through;
 }
 
 EffectReason reasonFor(const Scene& scene) {
