@@ -107,7 +107,7 @@ class StepProgramTest : public QObject {
     void aValueThatIsJustThereIsSquaredThere() {
         const auto both = [](auto x, auto y, auto z) { return (z - sq(x - y)) * (x - y); };
         const Codes codes = codesOf(both);
-        QCOMPARE(std::ranges::count(codes, code(square)), 1);
+        QCOMPARE(std::ranges::count(codes, code(StepOperation::square)), 1);
         QCOMPARE(std::ranges::count(codes, code(save0)), 1);
         QCOMPARE(std::ranges::count(codes, code(store)), 1);
     }

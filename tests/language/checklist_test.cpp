@@ -93,7 +93,7 @@ constexpr const char* blob = "blob { threshold 0.5 sphere { 0.3*x, 1, 1 } sphere
 constexpr const char* field = "height_field { function 9, 7 { 0.3 + 0.2*sin(7*x)*cos(5*y) } translate -0.5 }";
 constexpr const char* julia = "julia_fractal { <-0.1, 0.5, -0.3, 0.05> }";
 constexpr const char* vase = "sor { 5, <0.3, -1.5> <0.5, -1> <0.8, 0> <0.3, 1> <0.3, 1.5> }";
-constexpr const char* square = "prism { -0.5, 0.5, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> }";
+constexpr const char* squarePrism = "prism { -0.5, 0.5, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> }";
 
 }  // namespace
 
@@ -158,13 +158,14 @@ class ChecklistTest : public QObject {
             "lathe { cubic_spline 5, <0, -1>, <0.5, -1>, <1, 0>, <0.3, 1>, <0, 1> sturm }");
         row("PRIM-LATHE-06", "lathe { 5, <0, -0.5>, <0.7, -0.5>, <0.7, 0.5>, <0, 0.5>, <0, -0.5> }",
             "cylinder { -0.5*y, 0.5*y, 0.7 }");
-        row("PRIM-PRISM-04 PRIM-PRISM-05", square,
+        row("PRIM-PRISM-04 PRIM-PRISM-05", squarePrism,
             "prism { linear_sweep linear_spline -0.5, 0.5, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> "
             "}");
-        row("PRIM-PRISM-06 PRIM-PRISM-21", square,
+        row("PRIM-PRISM-06 PRIM-PRISM-21", squarePrism,
             "prism { -0.5, 0.5, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> sturm }");
-        row("PRIM-PRISM-07 PRIM-PRISM-17 CONF-10", square, "box { <-1, -0.5, -1>, <1, 0.5, 1> }");
-        row("PRIM-PRISM-08", square, "prism { 0.5, -0.5, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> }");
+        row("PRIM-PRISM-07 PRIM-PRISM-17 CONF-10", squarePrism, "box { <-1, -0.5, -1>, <1, 0.5, 1> }");
+        row("PRIM-PRISM-08", squarePrism,
+            "prism { 0.5, -0.5, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> }");
         row("PRIM-PRISM-10 PRIM-PRISM-11 PRIM-PRISM-12",
             "prism { -0.5, 0.5, 10, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>, <-0.5, -0.5>, <0.5, -0.5>, "
             "<0.5, 0.5>, <-0.5, 0.5>, <-0.5, -0.5> }",
@@ -221,7 +222,7 @@ class ChecklistTest : public QObject {
             "} }");
         row("PRIM-CONE-04", "cone { -0.5*y, 1, 0.5*y, 0.5 }", "cone { -0.5*y, 1, 0.5*y, 0.5 open }");
         row("PRIM-CYL-04", "cylinder { -0.5*y, 0.5*y, 1 }", "cylinder { -0.5*y, 0.5*y, 1 open }");
-        row("PRIM-PRISM-19", square,
+        row("PRIM-PRISM-19", squarePrism,
             "prism { -0.5, 0.5, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> open }");
         row("PRIM-SOR-09", vase, "sor { 5, <0.3, -1.5> <0.5, -1> <0.8, 0> <0.3, 1> <0.3, 1.5> open }");
         row("PRIM-HF-29", field,
@@ -281,7 +282,7 @@ class ChecklistTest : public QObject {
         row("PRIM-LATHE-01 PRIM-LATHE-07",
             "lathe { linear_spline 5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 0> }", "0.5,0.5,0.5;0,0.1,0.9",
             "0.8,0.5,0.8;0,1.1,0;0,-0.1,0");
-        row("PRIM-PRISM-01 PRIM-PRISM-03", square, "0.9,0.4,0.9;-0.9,-0.4,0.9", "1.1,0,0;0,0.6,0");
+        row("PRIM-PRISM-01 PRIM-PRISM-03", squarePrism, "0.9,0.4,0.9;-0.9,-0.4,0.9", "1.1,0,0;0,0.6,0");
         row("PRIM-PRISM-18",
             "prism { conic_sweep linear_spline 0, 1, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> }",
             "0.4,0.5,0.4;0.9,0.95,0", "0.6,0.5,0;0.1,0.05,0");

@@ -5,6 +5,7 @@
 #include "core/language/directives/library_paths.h"
 #include "core/language/parse.h"
 #include "core/virtualight/scene_reader.h"
+#include "test_folders.h"
 #include "tests/support/refusing_new.h"
 
 using namespace isoscope;
@@ -14,7 +15,6 @@ namespace {
 
 const char* const everything = R"(#version 3.7;
 #include "colors.inc"
-#include "test_folders.h"
 global_settings { assumed_gamma 1 }
 #declare Size = 1.5; // [0:2]
 #macro Ball(P, R) sphere { P, R pigment { color rgb <1, 0.5, 0> } } #end
