@@ -427,8 +427,8 @@ class StatementValuesTest : public QObject {
         row("light_source { 0, 1 area_light 2*x 3*y 4 5 adaptive 2 jitter circular orient }",
             "kind 0, color 1 1 1 filter 1 transmit 1, area 2 0 0, 0 3 0, 4 5, adaptive 2, jitter yes, "
             "circular yes, orient yes, line 1");
-        row("light_source { 0, 1 area_light x, y, 1.9, 1000 adaptive 200 jitter off circular on }",
-            "kind 0, color 1 1 1 filter 1 transmit 1, area 1 0 0, 0 1 0, 1 1000, circular yes, line 1");
+        row("light_source { 0, 1 area_light x, y, 2.9, 1000 adaptive 200 jitter off circular on }",
+            "kind 0, color 1 1 1 filter 1 transmit 1, area 1 0 0, 0 1 0, 2 1000, circular yes, line 1");
         row("light_source { 0, 1 area_light x, y, 2, 2 adaptive -3 area_illumination }",
             "kind 0, color 1 1 1 filter 1 transmit 1, area 1 0 0, 0 1 0, 2 2, adaptive 0, illumination yes, "
             "line 1");

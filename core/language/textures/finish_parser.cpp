@@ -143,7 +143,8 @@ bool FinishParser::parseIrid() {
     if (!tokens_.accept("irid")) return false;
     if (!tokens_.expect("{", "to begin `irid`")) return true;
     ExpressionParser expressions(tokens_);
-    finish_.irid = expressions.parseFloat();
+    // Of a film of less than nothing POV-Ray shows none.
+    finish_.irid = std::max(0.0, expressions.parseFloat());
     for (;;) {
         if (tokens_.accept("thickness")) {
             finish_.iridThickness = expressions.parseFloat();

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/image/brightness.h"
@@ -48,7 +50,12 @@ glm::dvec3 Reflection::throughFilm(const SurfacePoints& points, std::size_t k, c
                                    const glm::dvec3& direction) const {
     const double thickness = material.filmTape ? points.film[k] : material.finish.iridThickness;
     const double cosines = glm::dot(facingNormal(points, k, material), direction - at(points.view, k));
-    return filmShare(material.finish, thickness, cosines, rgb(scene_.settings.iridWavelength));
+    const glm::dvec3 share =
+        filmShare(material.finish, thickness, cosines, rgb(scene_.settings.iridWavelength));
+    // The film lies before the exponent, as in POV-Ray (measured).
+    const double exponent = material.finish.reflectionExponent;
+    return exponent == 1 || !(exponent > 0) ? share
+                                            : glm::pow(glm::max(share, 0.0), glm::dvec3(1 / exponent));
 }
 
 void Reflection::mirror(std::size_t k, const Material& material, SampleBatch& batch,
