@@ -158,18 +158,18 @@ bool LightParser::parseNumberItem(LightSource& light) {
     struct Entry {
         const char* word;
         double LightSource::*member;
+        bool ofBeam = false;
     };
-    static constexpr std::array<Entry, 5> entries{{{"radius", &LightSource::radius},
-                                                   {"falloff", &LightSource::falloff},
-                                                   {"tightness", &LightSource::tightness},
+    static constexpr std::array<Entry, 5> entries{{{"radius", &LightSource::radius, true},
+                                                   {"falloff", &LightSource::falloff, true},
+                                                   {"tightness", &LightSource::tightness, true},
                                                    {"fade_distance", &LightSource::fadeDistance},
                                                    {"fade_power", &LightSource::fadePower}}};
-    static constexpr const Entry* beamItems = entries.data() + 3;
     const Token word = tokens_.peek();
     for (const Entry& entry : entries)
         if (tokens_.accept(entry.word)) {
             light.*entry.member = ExpressionParser(tokens_).parseFloat();
-            if (&entry < beamItems) warnWithoutBeam(word.range, "`spotlight` or `cylinder`");
+            if (entry.ofBeam) warnWithoutBeam(word.range, "`spotlight` or `cylinder`");
             return true;
         }
     return false;

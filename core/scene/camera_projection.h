@@ -13,8 +13,8 @@ Ray curvedRay(const Camera& camera, double u, double v);
 
 /// Where the pattern of a camera's normal is asked for the ray through (u, v): the point (x, y, 0), as in
 /// POV-Ray 3.7.0.10 (measured by gradients that bend the rays). For flat pictures the place itself, else
-/// angles in radians: round pictures have the direction from the middle, from -pi/2 to 3 pi/2, and the angle
-/// from straight ahead.
+/// angles in radians, along the axis of cylinders a length. Round pictures have the direction from the
+/// middle, from -pi/2 to 3 pi/2, and the angle from straight ahead; (0, 0) where they show nothing.
 glm::dvec2 normalPlace(const Camera& camera, double u, double v);
 
 }  // namespace isoscope
