@@ -73,7 +73,7 @@ Tiling truncatedTrihexagonal(int kinds, const std::array<int, 5>& kind) {
 Tiling truncatedHexagonal() {
     Tile dodecagon = regular(2, 12, 0.5 + h, 0, 0);
     dodecagon.bevels.assign(12, h / 3);
-    for (const std::size_t side : {0, 3, 9}) dodecagon.bevels[side] = 1.0 / 3;
+    for (const std::size_t side : {0U, 3U, 9U}) dodecagon.bevels[side] = 1.0 / 3;
     return {3,
             h / 3,
             {2 + 2 * h, 0},
