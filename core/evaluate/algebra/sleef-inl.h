@@ -14,9 +14,11 @@
 #include <cmath>
 
 #undef ISOSCOPE_SLEEF_NAME
-#if HWY_TARGET == HWY_AVX3
+// clang hands vectors wider than its baseline's over in memory, whatever the set of the function that calls,
+// but SLEEF takes them in registers.
+#if HWY_TARGET == HWY_AVX3 && (!defined(__clang__) || defined(__AVX512F__))
 #define ISOSCOPE_SLEEF_NAME(function) Sleef_##function##d8_u10avx512f
-#elif HWY_TARGET == HWY_AVX2
+#elif HWY_TARGET == HWY_AVX2 && (!defined(__clang__) || defined(__AVX2__))
 #define ISOSCOPE_SLEEF_NAME(function) Sleef_##function##d4_u10avx2
 #elif HWY_TARGET == HWY_SSE4
 #define ISOSCOPE_SLEEF_NAME(function) Sleef_##function##d2_u10sse4
