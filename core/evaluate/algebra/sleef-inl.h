@@ -13,13 +13,20 @@
 
 #include <cmath>
 
+#include "core/evaluate/sleef/sleef_functions.h"
+
 #undef ISOSCOPE_SLEEF_NAME
-// clang hands vectors wider than its baseline's over in memory, whatever the set of the function that calls,
-// but SLEEF takes them in registers.
-#if HWY_TARGET == HWY_AVX3 && (!defined(__clang__) || defined(__AVX512F__))
+#undef ISOSCOPE_SLEEF_IN_MEMORY
+#if HWY_TARGET == HWY_AVX3
 #define ISOSCOPE_SLEEF_NAME(function) Sleef_##function##d8_u10avx512f
-#elif HWY_TARGET == HWY_AVX2 && (!defined(__clang__) || defined(__AVX2__))
+#ifdef __clang__
+#define ISOSCOPE_SLEEF_IN_MEMORY(function) sleef::function##InMemoryAvx512
+#endif
+#elif HWY_TARGET == HWY_AVX2
 #define ISOSCOPE_SLEEF_NAME(function) Sleef_##function##d4_u10avx2
+#ifdef __clang__
+#define ISOSCOPE_SLEEF_IN_MEMORY(function) sleef::function##InMemoryAvx2
+#endif
 #elif HWY_TARGET == HWY_SSE4
 #define ISOSCOPE_SLEEF_NAME(function) Sleef_##function##d2_u10sse4
 #elif HWY_TARGET == HWY_NEON
@@ -54,7 +61,26 @@ HWY_INLINE Vector laneByLane(Scalar function, Vector a, Vector b) {
     return hn::Load(d, first);
 }
 
-#ifdef ISOSCOPE_SLEEF_NAME
+#ifdef ISOSCOPE_SLEEF_IN_MEMORY
+#define ISOSCOPE_SLEEF_1(name, function)                        \
+    HWY_INLINE Vector name(Vector a) {                          \
+        const Doubles d;                                        \
+        HWY_ALIGN double lanes[HWY_MAX_BYTES / sizeof(double)]; \
+        hn::Store(a, d, lanes);                                 \
+        ISOSCOPE_SLEEF_IN_MEMORY(function)(lanes, lanes);       \
+        return hn::Load(d, lanes);                              \
+    }
+#define ISOSCOPE_SLEEF_2(name, function)                          \
+    HWY_INLINE Vector name(Vector a, Vector b) {                  \
+        const Doubles d;                                          \
+        HWY_ALIGN double first[HWY_MAX_BYTES / sizeof(double)];   \
+        HWY_ALIGN double second[HWY_MAX_BYTES / sizeof(double)];  \
+        hn::Store(a, d, first);                                   \
+        hn::Store(b, d, second);                                  \
+        ISOSCOPE_SLEEF_IN_MEMORY(function)(first, second, first); \
+        return hn::Load(d, first);                                \
+    }
+#elif defined(ISOSCOPE_SLEEF_NAME)
 using RawVector = decltype(Vector::raw);
 #define ISOSCOPE_SLEEF_1(name, function)                           \
     extern "C" RawVector ISOSCOPE_SLEEF_NAME(function)(RawVector); \
