@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluate/sleef/sleef_functions.h"
+#include "core/evaluate/sleef/sleef_in_memory.h"
 
 #if defined(__clang__) && defined(__x86_64__)
-#include <immintrin.h>
-
-#define ISOSCOPE_CALL_1(function)                                                    \
-    extern "C" __m512d Sleef_##function##d8_u10avx512f(__m512d);                     \
-    void function##InMemoryAvx512(const double* a, double* result) {                 \
-        _mm512_store_pd(result, Sleef_##function##d8_u10avx512f(_mm512_load_pd(a))); \
-    }
-#define ISOSCOPE_CALL_2(function)                                                                       \
-    extern "C" __m512d Sleef_##function##d8_u10avx512f(__m512d, __m512d);                               \
-    void function##InMemoryAvx512(const double* a, const double* b, double* result) {                   \
-        _mm512_store_pd(result, Sleef_##function##d8_u10avx512f(_mm512_load_pd(a), _mm512_load_pd(b))); \
-    }
+#define ISOSCOPE_SLEEF_NAME(function) Sleef_##function##d8_u10avx512f
+#define ISOSCOPE_SLEEF_IN_MEMORY(function) function##InMemoryAvx512
 
 namespace isoscope::sleef {
-ISOSCOPE_SLEEF_FUNCTIONS(ISOSCOPE_CALL_1, ISOSCOPE_CALL_2)
-}
+
+using RawVector = double __attribute__((vector_size(64), may_alias));
+ISOSCOPE_SLEEF_FUNCTIONS(ISOSCOPE_SLEEF_DEFINE_1, ISOSCOPE_SLEEF_DEFINE_2)
+
+}  // namespace isoscope::sleef
 #endif
