@@ -2,6 +2,8 @@
 # The commands of the README. Each installs what a bare Debian 12 lacks (as root, or through sudo).
 BUILD := build
 JOBS := $(shell nproc)
+# Tests wait for other programs and for windows in a quarter of their time.
+TEST_JOBS := $(shell expr $(JOBS) \* 3 / 2)
 CONFIGURE := -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release
 # How far a build is: "[42% of 480 steps, 95 s]".
 export NINJA_STATUS := [%p of %t steps, %e s] 
@@ -23,7 +25,7 @@ tests: with-tests
 	@cmake --build $(BUILD) -j $(JOBS)
 
 test: tests
-	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+	ctest --test-dir $(BUILD) --output-on-failure -j $(TEST_JOBS)
 
 # Without a compiler: format, pages, and clang-tidy over what differs from origin/main (BASE=... for another commit).
 check:
