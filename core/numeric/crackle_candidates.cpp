@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -12,9 +13,9 @@ namespace isoscope {
 
 namespace {
 
-/// Cubes of the levels 1 to 4 have their centers on a lattice of edge 1/2, 1/4, ... and are twice as wide: a
-/// cube with a reach of up to half the edge lies in the one whose share of space has its center.
-constexpr int finestLevel = 4;
+/// A cube with a reach of up to half the edge of a level's lattice lies in the cube of that level whose share
+/// of space has its center.
+constexpr int finestLevel = static_cast<int>(crackleEdges.size());
 constexpr std::size_t cacheSize = 4096;
 /// Covers the 1e-10 by which crackle displaces its cells, and roundings.
 constexpr double slack = 1e-9;
@@ -23,7 +24,8 @@ constexpr double distanceSlack = 1e-9;
 
 using Cell = std::array<std::int64_t, 3>;
 
-constexpr std::array<double, finestLevel + 1> edges{1, 0.5, 0.25, 0.125, 0.0625};
+/// Of the lattice of a level from 1 on.
+constexpr double edgeOf(std::size_t level) { return crackleEdges[level - 1]; }
 
 /// floor() of what is far from the limits of an int.
 std::int32_t floored(double value) {
@@ -42,7 +44,7 @@ struct Place {
                a.order == b.order && a.metric == b.metric;
     }
 
-    double edge() const { return edges[static_cast<std::size_t>(level)]; }
+    double edge() const { return edgeOf(static_cast<std::size_t>(level)); }
     double low(std::size_t axis) const { return (at[axis] - 0.5) * edge(); }
     double high(std::size_t axis) const { return (at[axis] + 1.5) * edge(); }
     Place parent() const { return {{at[0] >> 1, at[1] >> 1, at[2] >> 1}, level - 1, order, metric}; }
@@ -55,8 +57,6 @@ struct Place {
 
 /// What is known of a place.
 struct Entry {
-    Place place;
-    bool filled = false;
     bool usable = false;
     CrackleCandidates found;
 };
@@ -76,59 +76,45 @@ class Selection {
     void addFromCells() {
         std::array<AxisViews, 3> views;
         for (std::size_t axis = 0; axis < 3; ++axis) views[axis] = look(axis);
-        for (const bool met : {true, false})
-            for (const AxisView& x : views[0])
-                for (const AxisView& y : views[1])
+        for (const bool met : {true, false}) {
+            const double furthest = met ? HUGE_VAL : limit();
+            const auto isOut = [&](double gap) { return !met && gap > furthest; };
+            for (const AxisView& x : views[0]) {
+                if ((met && x.gap > 0) || isOut(size({x.gap, 0, 0}))) continue;
+                for (const AxisView& y : views[1]) {
+                    if ((met && y.gap > 0) || x.near + y.near > 1 || isOut(size({x.gap, y.gap, 0}))) continue;
                     for (const AxisView& z : views[2]) {
                         if (met != (x.gap == 0 && y.gap == 0 && z.gap == 0)) continue;
-                        if (x.near + y.near + z.near > 1) continue;
-                        if (!met && size({x.gap, y.gap, z.gap}) > limit()) continue;
-                        const bool always = x.far + y.far + z.far <= 1;
-                        add(cracklePoint(x.cell, y.cell, z.cell), always);
+                        if (x.near + y.near + z.near > 1 || isOut(size({x.gap, y.gap, z.gap}))) continue;
+                        add(cracklePoint(x.cell, y.cell, z.cell), x.far + y.far + z.far <= 1);
                     }
+                }
+            }
+            measure();
+        }
     }
 
-    /// A point that some of the place look at, perhaps.
-    void addIfSeen(const std::array<double, 3>& point) {
-        const CrackleSight sight = crackleSight(point, cells_);
-        if (sight.ever) add(point, sight.always);
-    }
-
-    /// `always` if all points of the place look at it; some do.
-    void add(const std::array<double, 3>& point, bool always) {
-        std::array<double, 3> least, furthest;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double below = low_[axis] - point[axis], above = point[axis] - high_[axis];
-            least[axis] = std::max({0.0, below, above});
-            furthest[axis] = std::max(-below, -above);
+    /// Of the candidates of a place around this one.
+    void addFrom(const CrackleCandidates& known) {
+        for (std::size_t i = 0; i < known.count; ++i) {
+            const std::array<double, 3> point{known.x[i], known.y[i], known.z[i]};
+            const CrackleSight sight =
+                i < known.always ? CrackleSight{true, true} : crackleSight(point, cells_);
+            if (sight.ever) add(point, sight.always);
         }
-        const double bound = size(least);
-        if (bound > limit() || count_ == candidates_.size()) {
-            overflows_ = overflows_ || bound <= limit();
-            return;
-        }
-        if (always) noteFurthest(size(furthest));
-        candidates_[count_++] = {point, bound, always};
+        measure();
     }
 
     void finish(Entry& entry) {
-        entry.place = place_;
-        entry.filled = true;
         CrackleCandidates& found = entry.found;
         found.count = 0;
-        entry.usable = !overflows_ && write(true, found);
+        entry.usable = write(true, found);
         found.always = found.count;
         entry.usable =
             entry.usable && found.always >= static_cast<std::size_t>(place_.order) && write(false, found);
     }
 
   private:
-    struct Candidate {
-        std::array<double, 3> point;
-        double least;  ///< no point of the place is nearer
-        bool always;   ///< whether all points of the place look at it
-    };
-
     /// A cell along one axis. The 81 cells that a point looks at are two away along one axis at most.
     struct AxisView {
         std::int64_t cell = 0;
@@ -166,6 +152,44 @@ class Selection {
         if (place_.metric == 2) return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
         return crackleNorm(d[0], d[1], d[2], place_.metric);
     }
+    /// `always` if all points of the place look at it; some do.
+    void add(const std::array<double, 3>& point, bool always) {
+        for (std::size_t axis = 0; axis < 3; ++axis) points_[axis][count_] = point[axis];
+        always_[count_++] = always;
+    }
+    /// How near to points of the place, and how far, those are that were added since the last call.
+    void measure() {
+        const std::size_t first = measured_;
+        measured_ = count_;
+        if (place_.metric == 2) {
+            for (std::size_t i = first; i < count_; ++i) {
+                double least = 0, furthest = 0;
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const double below = low_[axis] - points_[axis][i];
+                    const double above = points_[axis][i] - high_[axis];
+                    const double gap = std::max(0.0, std::max(below, above)), span = std::max(-below, -above);
+                    least += gap * gap;
+                    furthest += span * span;
+                }
+                least_[i] = least;
+                furthest_[i] = furthest;
+            }
+        } else {
+            for (std::size_t i = first; i < count_; ++i) {
+                std::array<double, 3> gap, span;
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const double below = low_[axis] - points_[axis][i];
+                    const double above = points_[axis][i] - high_[axis];
+                    gap[axis] = std::max({0.0, below, above});
+                    span[axis] = std::max(-below, -above);
+                }
+                least_[i] = size(gap);
+                furthest_[i] = size(span);
+            }
+        }
+        for (std::size_t i = first; i < count_; ++i)
+            if (always_[i]) noteFurthest(furthest_[i]);
+    }
     double limit() const {
         return nearest_[static_cast<std::size_t>(place_.order - 1)] * (1 + distanceSlack) + distanceSlack;
     }
@@ -179,12 +203,11 @@ class Selection {
     bool write(bool always, CrackleCandidates& found) const {
         const double furthest = limit();
         for (std::size_t i = 0; i < count_; ++i) {
-            const Candidate& candidate = candidates_[i];
-            if (candidate.always != always || candidate.least > furthest) continue;
+            if (always_[i] != always || least_[i] > furthest) continue;
             if (found.count == CrackleCandidates::most) return false;
-            found.x[found.count] = candidate.point[0];
-            found.y[found.count] = candidate.point[1];
-            found.z[found.count++] = candidate.point[2];
+            found.x[found.count] = points_[0][i];
+            found.y[found.count] = points_[1][i];
+            found.z[found.count++] = points_[2][i];
         }
         return true;
     }
@@ -192,9 +215,12 @@ class Selection {
     Place place_;
     CrackleCells cells_;
     std::array<double, 3> low_, high_;
-    std::array<Candidate, 256> candidates_;
-    std::size_t count_ = 0;
-    bool overflows_ = false;
+    /// Of the points: as many as there are views of three axes.
+    static constexpr std::size_t most = 7 * 7 * 7;
+    std::array<std::array<double, most>, 3> points_;
+    std::array<double, most> least_, furthest_;  ///< sizes of the ways to points of the place
+    std::array<bool, most> always_;              ///< whether all points of the place look at it
+    std::size_t count_ = 0, measured_ = 0;
     std::array<double, 3> nearest_{HUGE_VAL, HUGE_VAL, HUGE_VAL};
 };
 
@@ -204,38 +230,62 @@ void fillFromCells(const Place& place, Entry& entry) {
     selection.finish(entry);
 }
 
+/// Candidates of places of one level, found by their hash. Entries are large and taken one after the other,
+/// so that no more memory is touched than there are places.
+class LevelCache {
+  public:
+    struct Found {
+        Entry* entry;
+        bool filled;  ///< otherwise the caller is to fill it
+    };
+    Found find(const Place& place) {
+        if (keys_.empty()) keys_.resize(cacheSize);
+        Key& key = keys_[place.hash()];
+        const bool filled = key.entry && key.place == place;
+        if (!key.entry) key.entry = &entries_.emplace_back();
+        key.place = place;
+        return {key.entry, filled};
+    }
+
+  private:
+    struct Key {
+        Place place;
+        Entry* entry = nullptr;
+    };
+
+    std::vector<Key> keys_;
+    std::deque<Entry> entries_;
+};
+
 class Cache {
   public:
     const CrackleCandidates* candidates(const Place& place) {
-        if (!(place == last_->place)) last_ = &find(place);
+        if (!last_ || !(place == lastPlace_)) {
+            last_ = &find(place);
+            lastPlace_ = place;
+        }
         return last_->usable ? &last_->found : nullptr;
     }
 
   private:
     const Entry& find(const Place& place) {
-        std::vector<Entry>& entries = entries_[static_cast<std::size_t>(place.level - 1)];
-        if (entries.empty()) entries.resize(cacheSize);
-        Entry& entry = entries[place.hash()];
-        if (!(entry.filled && entry.place == place)) fill(place, entry);
-        return entry;
+        const auto [entry, filled] = levels_[static_cast<std::size_t>(place.level - 1)].find(place);
+        if (!filled) fill(place, *entry);
+        return *entry;
     }
     void fill(const Place& place, Entry& entry) {
         if (place.level == 1) return fillFromCells(place, entry);
         const Entry& parent = find(place.parent());
         if (!parent.usable) return fillFromCells(place, entry);
         Selection selection(place);
-        const CrackleCandidates& known = parent.found;
-        for (std::size_t i = 0; i < known.count; ++i) {
-            const std::array<double, 3> point{known.x[i], known.y[i], known.z[i]};
-            i < known.always ? selection.add(point, true) : selection.addIfSeen(point);
-        }
+        selection.addFrom(parent.found);
         selection.finish(entry);
     }
 
-    /// Of each level: in one list the fine ones would push out the coarse ones, which cost most.
-    std::array<std::vector<Entry>, finestLevel> entries_;
-    Entry none_;
-    const Entry* last_ = &none_;
+    /// In one list the fine places would push out the coarse ones, which cost most.
+    std::array<LevelCache, finestLevel> levels_;
+    Place lastPlace_;
+    const Entry* last_ = nullptr;
 };
 
 }  // namespace
@@ -277,11 +327,11 @@ const CrackleCandidates* crackleCandidates(const CrackleCube& cube, double metri
         !(metric <= greatestCrackleMetric))
         return nullptr;
     std::size_t level = 1;
-    while (level < finestLevel && cube.reach <= edges[level + 1] / 2) ++level;
+    while (level < finestLevel && cube.reach <= edgeOf(level + 1) / 2) ++level;
     Place place{{}, static_cast<std::int32_t>(level), order, metric};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (!(std::abs(cube.center[axis]) <= crackleExtent)) return nullptr;
-        place.at[axis] = floored(cube.center[axis] / edges[level]);
+        place.at[axis] = floored(cube.center[axis] / edgeOf(level));
     }
     static thread_local const std::unique_ptr<Cache> cache = std::make_unique<Cache>();
     return cache->candidates(place);

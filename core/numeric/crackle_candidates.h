@@ -29,6 +29,10 @@ struct CrackleCube {
     double reach = 0;  ///< half of an edge
 };
 
+/// The candidates of a cube are those of the twice as wide cubes around the cells of a lattice: of the finest
+/// of these lattices whose cells are as wide as the cube at least.
+constexpr std::array<double, 4> crackleEdges{0.5, 0.25, 0.125, 0.0625};
+
 /// No cube with a greater reach has candidates, nor one with a coordinate beyond `crackleExtent`.
 constexpr double longestCrackleReach = 0.25;
 constexpr double crackleExtent = 1e6;

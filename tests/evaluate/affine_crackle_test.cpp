@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <QTest>
 #include <random>
 
 #include "core/evaluate/affine_evaluator.h"
 #include "core/evaluate/algebra/affine_form.h"
+#include "core/evaluate/algebra/euclidean_crackle.h"
 #include "core/evaluate/interval_evaluator.h"
 #include "core/function/scalar_operations.h"
 #include "core/numeric/crackle_candidates.h"
@@ -169,6 +171,41 @@ class AffineCrackleTest : public QObject {
         QVERIFY(!open(std::nextafter(longestCrackleReach, 0) * (1 - 1e-13), 0));
         QVERIFY(longestCrackleReach + 1e-17 == longestCrackleReach);
         QVERIFY(open(longestCrackleReach, 1e-17));
+    }
+
+    /// Lanes that look at the same candidates are looked at together: near ones, beside far and unknown ones.
+    void aLaneDoesNotDependOnTheOthers() {
+        Random random;
+        for (int round = 0; round < 2000; ++round) {
+            const CrackleSettings settings = random.settings(round % 8 != 0);
+            constexpr std::size_t room = 24;
+            const auto lanes = static_cast<std::size_t>(random.between(1, room));
+            std::array<std::array<std::array<double, room>, 3>, 3> columns{};
+            std::array<Forms, room> pieces;
+            const Forms first = random.piece();
+            for (std::size_t i = 0; i < lanes; ++i) {
+                pieces[i] = random.piece();
+                for (std::size_t k = 0; k < 3; ++k) {
+                    if (round % 2) pieces[i][k].a = first[k].a + random.between(-0.2, 0.2);
+                    if (random.chance(0.01)) pieces[i][k].e = std::numeric_limits<double>::infinity();
+                    columns[k][0][i] = pieces[i][k].a;
+                    columns[k][1][i] = pieces[i][k].b;
+                    columns[k][2][i] = pieces[i][k].e;
+                }
+            }
+            const auto column = [&](std::size_t k) {
+                return FormColumn{columns[k][0].data(), columns[k][1].data(), columns[k][2].data()};
+            };
+            std::array<std::array<double, room>, 3> result;
+            writeAffineCrackle({column(0), column(1), column(2)}, settings, lanes,
+                               {result[0].data(), result[1].data(), result[2].data()});
+            for (std::size_t i = 0; i < lanes; ++i) {
+                const AffineForm alone = affineCrackle(pieces[i], settings);
+                QCOMPARE(std::isfinite(result[2][i]), std::isfinite(alone.e));
+                if (!std::isfinite(alone.e)) continue;
+                QVERIFY(result[0][i] == alone.a && result[1][i] == alone.b && result[2][i] == alone.e);
+            }
+        }
     }
 
     void boxesHoldTheValues() {

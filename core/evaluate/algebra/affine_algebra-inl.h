@@ -17,6 +17,7 @@
 #include "core/evaluate/algebra/affine_elementary-inl.h"
 #include "core/evaluate/algebra/affine_form.h"
 #include "core/evaluate/algebra/affine_noise-inl.h"
+#include "core/evaluate/algebra/euclidean_crackle.h"
 #include "core/evaluate/tape/tape_workspace.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -331,15 +332,11 @@ class AffineAlgebra {
 
     static void crackleLanes(const CrackleSettings& crackle, const std::array<const double*, 4>& operands,
                              double* target, std::size_t lanes) {
-        for (std::size_t i = 0; i < lanes; ++i) {
-            std::array<AffineForm, 3> forms;
-            for (std::size_t k = 0; k < 3; ++k)
-                forms[k] = {operands[k][i], operands[k][batchLanes + i], operands[k][2 * batchLanes + i]};
-            const AffineForm result = affineCrackle(forms, crackle);
-            target[i] = result.a;
-            target[batchLanes + i] = result.b;
-            target[2 * batchLanes + i] = result.e;
-        }
+        const auto column = [&](std::size_t k) {
+            return FormColumn{operands[k], operands[k] + batchLanes, operands[k] + 2 * batchLanes};
+        };
+        writeAffineCrackle({column(0), column(1), column(2)}, crackle, lanes,
+                           {target, target + batchLanes, target + 2 * batchLanes});
     }
 
     /// A staircase: constant where both ends of the range agree, else the operand plus [low, high].

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/evaluate/algebra/affine_form.h"
-#include "core/evaluate/algebra/distance_lines.h"
+#include "core/evaluate/algebra/euclidean_crackle.h"
 #include "core/function/scalar_operations.h"
 #include "core/numeric/crackle.h"
 #include "core/numeric/crackle_candidates.h"
@@ -21,11 +21,28 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr AffineForm unknownForm{0, 0, infinite}, anywhere{0.5, 0, 0.5};
-constexpr double roundings = DistanceLines::roundings;
+constexpr double roundings = crackleRoundings;
 /// The same after powers.
 constexpr double powerRoundings = 1e-12;
-/// Beyond these, coordinates have no cell, give or take.
-constexpr double lastCell = 4e18;
+
+/// A piece of a ray: center + slope s for s from -1 to 1, each coordinate give or take its error.
+struct LinePiece {
+    std::array<double, 3> center, slope, error;
+    double reach = 0;  ///< no coordinate is further from the center
+};
+
+/// A distance along a piece: slope s + [low, high].
+struct DistanceLine {
+    double slope, low, high;
+};
+
+/// The distances along a piece to the points that crackle looks at.
+struct DistanceLines {
+    std::size_t count = 0;
+    /// There is no upper bound, infinity, for a point that not all of the piece look at.
+    std::array<DistanceLine, CrackleCandidates::most> lines;
+    std::array<std::size_t, 3> nearest{};  ///< points that are the nearest in the middle, up to the order
+};
 
 AffineForm between(double low, double high) {
     const double center = low + (high - low) / 2;
@@ -34,18 +51,13 @@ AffineForm between(double low, double high) {
 
 LinePiece pieceOf(std::span<const AffineForm> operands) {
     LinePiece piece;
-    double slopes = 0, errors = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const AffineForm& p = operands[k];
         piece.center[k] = p.a;
         piece.slope[k] = p.b;
         piece.error[k] = p.e;
         piece.reach = std::max(piece.reach, (std::abs(p.b) + p.e) * (1 + roundings));
-        slopes += p.b * p.b;
-        errors += p.e * p.e;
     }
-    piece.length = std::sqrt(slopes) * (1 + roundings);
-    piece.spread = std::sqrt(errors) * (1 + roundings);
     return piece;
 }
 
@@ -126,16 +138,33 @@ void writeGeneralLines(const LinePiece& piece, const CrackleCandidates& found,
     for (std::size_t i = 0; i < found.count; ++i) {
         const std::array<double, 3> middle{piece.center[0] - found.x[i], piece.center[1] - found.y[i],
                                            piece.center[2] - found.z[i]};
-        const DistanceLine line =
-            distance.isNorm() ? convexLine(piece, middle, distance) : boxedLine(piece, middle, distance);
-        lines.slope[i] = line.slope;
-        lines.low[i] = line.low;
-        lines.high[i] = i < found.always ? line.high : infinite;
+        DistanceLine& line = lines.lines[i];
+        line = distance.isNorm() ? convexLine(piece, middle, distance) : boxedLine(piece, middle, distance);
         centers[i] = {(line.low + line.high) / 2, i};
+        if (i >= found.always) line.high = infinite;
     }
     std::partial_sort(centers.begin(), centers.begin() + static_cast<std::ptrdiff_t>(order),
                       centers.begin() + static_cast<std::ptrdiff_t>(found.always));
     for (std::size_t k = 0; k < order; ++k) lines.nearest[k] = centers[k].second;
+}
+
+/// The distance of an order (0: the least), along the slope of the one that is in the middle: those of that
+/// order of all bounds.
+DistanceLine orderedDistance(const DistanceLines& lines, std::size_t order) {
+    const double slope = lines.lines[lines.nearest[order]].slope;
+    std::array<double, CrackleCandidates::most> lows, highs;
+    for (std::size_t i = 0; i < lines.count; ++i) {
+        const DistanceLine& line = lines.lines[i];
+        const double turn = std::abs(line.slope - slope);
+        lows[i] = line.low - turn;
+        highs[i] = line.high + turn;
+    }
+    const auto least = [&](std::array<double, CrackleCandidates::most>& bounds) {
+        const auto nth = bounds.begin() + static_cast<std::ptrdiff_t>(order);
+        std::nth_element(bounds.begin(), nth, bounds.begin() + static_cast<std::ptrdiff_t>(lines.count));
+        return *nth;
+    };
+    return {slope, least(lows), least(highs)};
 }
 
 /// From the least to the greatest of some numbers.
@@ -183,7 +212,7 @@ AffineForm tableForm(std::span<const AffineForm> operands, const PointTable& tab
         const AffineForm& p = operands[k];
         const double reach = std::abs(p.b) + p.e;
         const double rounding = reach == 0 ? 0 : roundings * (std::abs(p.a) + reach);
-        isPlace = isPlace && std::abs(p.a) + reach < lastCell;
+        isPlace = isPlace && std::abs(p.a) + reach < lastCrackleCell;
         box[k] = {p.a - reach - rounding, p.a + reach + rounding, false};
         slope[k] = p.b;
         errors[k] = p.e + rounding;
@@ -204,8 +233,8 @@ AffineForm tableForm(std::span<const AffineForm> operands, const PointTable& tab
 /// Of `solid`: between the values of the cell points that can be the nearest.
 AffineForm solidForm(const CrackleCandidates& found, const DistanceLines& lines, int noiseGenerator) {
     const auto isNearerThan = [&](std::size_t i, std::size_t j) {
-        const double apart = lines.low[j] - lines.high[i];
-        return apart > std::abs(lines.slope[j] - lines.slope[i]);
+        const DistanceLine &nearer = lines.lines[i], &further = lines.lines[j];
+        return further.low - nearer.high > std::abs(further.slope - nearer.slope);
     };
     Extent extent;
     for (std::size_t j = 0; j < lines.count; ++j) {
@@ -222,16 +251,10 @@ bool hasCrackleMetric(const CrackleSettings& settings) {
            (settings.metric == 2 || settings.offset >= 0);
 }
 
-/// How many of the distances count.
-int orderOf(const CrackleSettings& settings) {
-    if (settings.solid) return 1;
-    return settings.form[2] != 0 ? 3 : settings.form[1] != 0 ? 2 : 1;
-}
-
-/// min(1, max(0, p)).
+/// min(1, max(0, p)) of a form of which something is known.
 AffineForm clipped(AffineForm p) {
     const double reach = std::abs(p.b) + p.e, low = p.a - reach, high = p.a + reach;
-    if (!(low < 0 || high > 1)) return p;
+    if (!(low < 0 || high > 1) || !std::isfinite(p.e)) return p;
     if (high <= 0) return {0, 0, 0};
     if (low >= 1) return {1, 0, 0};
     if (low < 0 && high > 1) return {0.5, 0, 0.5};
@@ -247,28 +270,45 @@ AffineForm clipped(AffineForm p) {
     return result;
 }
 
-}  // namespace
-
-bool hasCrackleBounds(const CrackleSettings& settings) {
-    return settings.table ? settings.table->hasRanges() : settings.cells || hasCrackleMetric(settings);
+/// Whether distances are the Euclidean ones, and nothing is put in their place.
+bool isEuclidean(const CrackleSettings& settings) {
+    return !settings.table && !settings.cells && settings.metric == 2;
 }
 
-AffineForm affineCrackle(std::span<const AffineForm> operands, const CrackleSettings& settings) {
+AffineForm euclideanForm(std::span<const AffineForm> operands, const CrackleSettings& settings) {
+    constexpr std::size_t vector = 8;
+    struct Columns {
+        std::array<double, vector> a{}, b{}, e{};
+    };
+    std::array<Columns, 3> columns;
+    for (std::size_t k = 0; k < 3; ++k) {
+        columns[k].a[0] = operands[k].a;
+        columns[k].b[0] = operands[k].b;
+        columns[k].e[0] = operands[k].e;
+    }
+    const auto place = [&](std::size_t k) {
+        return FormColumn{columns[k].a.data(), columns[k].b.data(), columns[k].e.data()};
+    };
+    Columns result;
+    writeEuclideanCrackle({place(0), place(1), place(2)}, settings, 1,
+                          {result.a.data(), result.b.data(), result.e.data()});
+    return clipped({result.a[0], result.b[0], result.e[0]});
+}
+
+/// Of what is not Euclidean.
+AffineForm otherForm(std::span<const AffineForm> operands, const CrackleSettings& settings) {
     if (settings.table) return tableForm(operands, *settings.table);
     for (const AffineForm& p : operands)
-        if (!(std::abs(p.a) + std::abs(p.b) + p.e < lastCell)) return unknownForm;
+        if (!(std::abs(p.a) + std::abs(p.b) + p.e < lastCrackleCell)) return unknownForm;
     if (settings.cells) return cellsForm(operands);
     const LinePiece piece = pieceOf(operands);
-    const int order = orderOf(settings);
+    const int order = orderOfCrackle(settings);
     if (!hasCrackleMetric(settings)) return unknownForm;
     const CrackleCube cube{piece.center, std::max(piece.reach, thriftyCrackleReach)};
     const CrackleCandidates* found = crackleCandidates(cube, settings.metric, order);
     if (!found) return anywhere;
     DistanceLines lines;
-    if (settings.metric == 2)
-        writeEuclideanLines(piece, *found, settings.offset, static_cast<std::size_t>(order), lines);
-    else
-        writeGeneralLines(piece, *found, settings, static_cast<std::size_t>(order), lines);
+    writeGeneralLines(piece, *found, settings, static_cast<std::size_t>(order), lines);
     if (settings.solid) return solidForm(*found, lines, settings.noiseGenerator);
     AffineForm sum{0, 0, 0};
     double low = 0, high = 0, size = 0;
@@ -284,6 +324,36 @@ AffineForm affineCrackle(std::span<const AffineForm> operands, const CrackleSett
     sum.a = (low + high) / 2;
     sum.e = (high - low) / 2 + roundings * size;
     return clipped(sum);
+}
+
+}  // namespace
+
+bool hasCrackleBounds(const CrackleSettings& settings) {
+    return settings.table ? settings.table->hasRanges() : settings.cells || hasCrackleMetric(settings);
+}
+
+AffineForm affineCrackle(std::span<const AffineForm> operands, const CrackleSettings& settings) {
+    if (isEuclidean(settings)) return euclideanForm(operands, settings);
+    return otherForm(operands, settings);
+}
+
+void writeAffineCrackle(const std::array<FormColumn, 3>& place, const CrackleSettings& settings,
+                        std::size_t lanes, const std::array<double*, 3>& result) {
+    const auto write = [&](std::size_t i, const AffineForm& form) {
+        result[0][i] = form.a;
+        result[1][i] = form.b;
+        result[2][i] = form.e;
+    };
+    if (isEuclidean(settings)) {
+        writeEuclideanCrackle(place, settings, lanes, result);
+        for (std::size_t i = 0; i < lanes; ++i) write(i, clipped({result[0][i], result[1][i], result[2][i]}));
+        return;
+    }
+    for (std::size_t i = 0; i < lanes; ++i) {
+        std::array<AffineForm, 3> forms;
+        for (std::size_t k = 0; k < 3; ++k) forms[k] = {place[k].a[i], place[k].b[i], place[k].e[i]};
+        write(i, otherForm(forms, settings));
+    }
 }
 
 }  // namespace isoscope
