@@ -110,7 +110,7 @@ struct Pattern {
     Function function;               ///< of PatternKind::function: one result, three arguments
     std::vector<PatternWarp> warps;  ///< transformations and warps in the order in which they are written
     int arms = 2;                    ///< of spiral1, spiral2
-    int tiling = 1;                  ///< number 1 to tilingCount or penroseNumber (tilings.h)
+    int tiling = 1;                  ///< number 1 to rhombTiling (tilings.h)
     int numberOfWaves = 10;
 };
 

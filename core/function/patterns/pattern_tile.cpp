@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/function/patterns/kite_tiling.h"
 #include "core/function/patterns/pattern_call.h"
 #include "core/function/patterns/penrose_tiling.h"
 #include "core/function/patterns/tilings.h"
@@ -122,12 +123,20 @@ TileValue valueOf(const Tiling& tiling, const Tile& tile, Expression x, Expressi
     return {*least, (clamp(1 - *leastBevels, x.number(0), x.number(1)) + tile.kind) / tiling.kinds};
 }
 
+std::shared_ptr<const PointTable> penroseTable(int number) {
+    static const auto pentagons = std::make_shared<const KiteTiling>(KiteTiling::Tiles::pentagons);
+    static const auto kites = std::make_shared<const KiteTiling>(KiteTiling::Tiles::kites);
+    static const auto rhombs = std::make_shared<const PenroseTiling>();
+    if (number == pentagonTiling) return pentagons;
+    if (number == kiteTiling) return kites;
+    return rhombs;
+}
+
 /// Measured on POV-Ray 3.7: Tiling.
 Expression tilingPattern(const PatternCall& call) {
-    if (call.pattern.tiling == penroseNumber) {
-        static const auto table = std::make_shared<const PenroseTiling>();
+    if (call.pattern.tiling > tilingCount) {
         CrackleSettings settings;
-        settings.table = table;
+        settings.table = penroseTable(call.pattern.tiling);
         FunctionGraph& graph = call.x.graph();
         return {graph, graph.crackle(settings, call.x.node(), call.y.node(), call.z.node())};
     }

@@ -29,8 +29,8 @@ struct Tiling {
 
 /// Of `tiling N`, those that repeat.
 constexpr int tilingCount = 24;
-/// Number 27 is PenroseTiling; 25 and 26 are others of Penrose's, which are not drawn.
-constexpr int penroseNumber = 27;
+/// Those that do not: KiteTiling and PenroseTiling.
+constexpr int pentagonTiling = 25, kiteTiling = 26, rhombTiling = 27;
 
 /// Tiling number 1 to tilingCount, built on first use; other numbers act as the nearer end.
 const Tiling& tilingOf(int number);

@@ -164,12 +164,7 @@ int PatternReader::parseChoice(const std::string& name, int first, int last) {
 }
 
 void PatternReader::parseTiling() {
-    const SourceRange start = tokens_.peek().range;
-    pattern.tiling = parseChoice("the number of a `tiling`", 1, penroseNumber);
-    if (pattern.tiling > tilingCount && pattern.tiling != penroseNumber)
-        reportLeftOut(
-            tokens_.context(), rangeSince(start, tokens_),
-            "Tilings 25 and 26 are not simulated; number " + std::to_string(tilingCount) + " is drawn.");
+    pattern.tiling = parseChoice("the number of a `tiling`", 1, rhombTiling);
 }
 
 bool PatternReader::parseMagnet() {
