@@ -27,6 +27,7 @@ struct PenroseShape {
 /// the one are found in the kites and darts of a coarser one, always at the same places (measured).
 class KiteTiling : public PointTable {
   public:
+    /// Number 25 or 26.
     enum class Tiles { pentagons, kites };
     explicit KiteTiling(Tiles tiles);
 
