@@ -60,6 +60,34 @@ class TexturePicturesTest : public QObject {
         QVERIFY(test::comparePictures(ours("3.7"), theirs).shareWithin8 < 0.9);
     }
 
+    /// They were as dark as the pigment is clear.
+    void highlightsOfClearMetalsAreWhole_data() {
+        QTest::addColumn<QString>("texture");
+        const QString metal = "finish { ambient 0 diffuse 0 specular 0.5 roughness 0.2 metallic }",
+                      clear = "pigment { rgbf <0.5, 0.2, 0.9, 0.7> }" + metal,
+                      green = "pigment { rgbt <0.2, 0.9, 0.3, 0.5> }" + metal;
+        QTest::newRow("plain") << "texture { " + clear + " }";
+        QTest::newRow("patterned")
+            << "texture { pigment { checker rgbt <0.5, 0.2, 0.9, 0.4>, rgbf <0.2, 1, 0.5, 0.6> scale 0.2 }" +
+                   metal + " }";
+        QTest::newRow("layers") << "texture { " + clear + " } texture { " + green + " }";
+        QTest::newRow("map") << "texture { gradient x texture_map { [0 " + clear + "] [1 " + green + "] } }";
+        QTest::newRow("phong") << "texture { pigment { rgbf <0.5, 0.2, 0.9, 0.7> } finish { phong 0.8 "
+                                  "phong_size 5 metallic 0.6 } }";
+    }
+    void highlightsOfClearMetalsAreWhole() {
+        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
+        QFETCH(QString, texture);
+        const std::string text =
+            "#version 3.7; global_settings { assumed_gamma 1 } camera { location -4*z look_at 0 }"
+            "light_source { <-20, 30, -40>, 1 } background { rgb 0.2 } box { -1, 1 rotate <20, 30, 0> " +
+            texture.toStdString() + " }";
+        const ParseResult parsed = parseScene(text);
+        QVERIFY2(parsed.ok(), test::problems(parsed).c_str());
+        QVERIFY(test::comparePictures(renderImage(requestFor(parsed)), test::povrayPicture(text, {}))
+                    .shareWithin8 >= wantedShare);
+    }
+
     /// It was as bright as without `transmit`.
     void backgroundsAreDarkerByWhatTheyTransmit_data() {
         QTest::addColumn<QString>("scene");

@@ -11,10 +11,11 @@ namespace isoscope {
 /// A material and a light, in numbers.
 struct Lighting {
     glm::dvec3 pigment{0};
+    glm::dvec3 tint{0};  ///< the pigment as it is where nothing comes through: the colour of metals
     glm::dvec3 light{0};
     Finish finish;
     bool highlights = true;
-    bool patterned = false;     ///< the pigment is that of SurfacePoints instead
+    bool patterned = false;     ///< pigment and tint are those of SurfacePoints instead
     bool doubled = false;       ///< light from behind counts as well
     glm::dvec3 wavelengths{0};  ///< of red, green and blue, for thin films
     bool unevenFilm = false;    ///< the film is as thick as SurfacePoints says

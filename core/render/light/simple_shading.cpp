@@ -71,8 +71,8 @@ HWY_INLINE Triple shineOf(const SimpleSurface& surface, std::span<const glm::dve
         if constexpr (matte)
             white = returnedEvenly(lighting, facing, toLight);
         else
-            white = returned(lighting, constant(lighting.pigment), normal, view, toLight,
-                             constant(lighting.finish.iridThickness));
+            white = returned(lighting, constant(lighting.pigment), constant(lighting.tint), normal, view,
+                             toLight, constant(lighting.finish.iridThickness));
         const Triple all = times(white, constant(lighting.light));
         shine = plus(shine, {hn::IfThenElseZero(positive(white.x), all.x),
                              hn::IfThenElseZero(positive(white.y), all.y),

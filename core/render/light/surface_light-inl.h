@@ -41,9 +41,9 @@ HWY_INLINE Vector power(Vector base, double exponent) {
     return hn::IfThenElseZero(some, sleefPow(hn::IfThenElse(some, base, constant(1)), constant(exponent)));
 }
 
-/// The colour of a highlight: the light's own, or tinted by the pigment for metals, less so towards grazing
+/// The colour of a highlight: the light's own, or tinted by the colour of a metal, less so towards grazing
 /// light. Fresnel term of Cook and Torrance's metals in the closed form that POV-Ray's pictures show.
-HWY_INLINE Triple highlightTint(double metallic, Vector cosine, const Triple& pigment) {
+HWY_INLINE Triple highlightTint(double metallic, Vector cosine, const Triple& metal) {
     const Triple white = constant(glm::dvec3(1));
     if (metallic == 0) return white;
     const Vector inside = hn::Min(hn::Max(cosine, constant(-1)), constant(1));
@@ -52,7 +52,7 @@ HWY_INLINE Triple highlightTint(double metallic, Vector cosine, const Triple& pi
     const Vector term = hn::Sub(hn::Div(constant(0.014567225), hn::Mul(way, way)), constant(0.011612903));
     const Vector fresnel = hn::Min(hn::Max(term, hn::Zero(Doubles())), constant(1));
     const Vector amount = hn::Mul(constant(metallic), hn::Sub(constant(1), fresnel));
-    return plus(white, times(minus(pigment, white), amount));
+    return plus(white, times(minus(metal, white), amount));
 }
 
 HWY_INLINE Vector phong(const Finish& finish, const Triple& normal, const Triple& view, const Triple& light) {
@@ -84,8 +84,8 @@ HWY_INLINE Triple withFilm(const Lighting& lighting, const Triple& light, Vector
 }
 
 /// What a white light of strength 1 makes the surface return, which has a film as thick as `film`.
-HWY_INLINE Triple returned(const Lighting& lighting, const Triple& pigment, const Triple& normal,
-                           const Triple& view, const Triple& light, Vector film) {
+HWY_INLINE Triple returned(const Lighting& lighting, const Triple& pigment, const Triple& tint,
+                           const Triple& normal, const Triple& view, const Triple& light, Vector film) {
     const Finish& finish = lighting.finish;
     const Vector turn = hn::IfThenElse(positive(dot(normal, view)), constant(-1), constant(1));
     const Triple facing = lighting.bent ? normal : times(normal, turn);
@@ -100,7 +100,7 @@ HWY_INLINE Triple returned(const Lighting& lighting, const Triple& pigment, cons
         const Vector strength =
             hn::Add(phong(finish, facing, view, light), specular(finish, facing, view, light));
         const Vector highlight = hn::IfThenElseZero(positive(cosine), strength);
-        result = plus(result, times(highlightTint(finish.metallic, cosine, pigment), highlight));
+        result = plus(result, times(highlightTint(finish.metallic, cosine, tint), highlight));
     }
     if (finish.irid == 0) return result;
     return withFilm(lighting, result, film, hn::Sub(cosine, dot(facing, view)));

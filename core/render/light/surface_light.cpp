@@ -20,13 +20,16 @@ namespace {
 template <bool patterned>
 void findRange(const Lighting& lighting, const PointRange& range, SurfacePoints& points) {
     const Triple light = constant(lighting.light);
-    Triple pigment = constant(lighting.pigment);
+    Triple pigment = constant(lighting.pigment), tint = constant(lighting.tint);
     for (std::size_t k = range.first; k < range.end; k += hn::Lanes(Doubles())) {
-        if constexpr (patterned) pigment = load(points.pigment, k);
+        if constexpr (patterned) {
+            pigment = load(points.pigment, k);
+            if (lighting.finish.metallic != 0) tint = load(points.tint, k);
+        }
         const Vector strength = hn::LoadU(Doubles(), &points.strength[k]);
         const Vector film = lighting.unevenFilm ? hn::LoadU(Doubles(), &points.film[k])
                                                 : constant(lighting.finish.iridThickness);
-        const Triple white = returned(lighting, pigment, load(points.normal, k), load(points.view, k),
+        const Triple white = returned(lighting, pigment, tint, load(points.normal, k), load(points.view, k),
                                       load(points.toLight, k), film);
         const Triple arriving = times(light, strength);
         // Endless light shows only where something returns it.
@@ -73,6 +76,12 @@ glm::dvec3 solidColor(const Material& material, OpacityRule rule) {
     return material.transparent ? rgb(solid->color) * opacity(solid->color, rule) : rgb(solid->color);
 }
 
+/// The same where nothing comes through.
+glm::dvec3 solidTint(const Material& material) {
+    const auto* solid = std::get_if<SolidPigment>(&material.pigment);
+    return solid ? rgb(solid->color) : glm::dvec3(0);
+}
+
 /// Where textures are made of parts the pigments of all points are found one by one.
 bool pigmentVaries(const Material& material, const SurfacePoints& points) {
     return material.pigmentTape || points.weighted;
@@ -88,6 +97,7 @@ glm::dvec3 whiteLight(const Finish& finish, const glm::dvec3& ambientLight) {
 Lighting lightingOf(const LightSource& light, const Material& material, OpacityRule rule,
                     const glm::dvec3& wavelengths) {
     return {solidColor(material, rule),
+            solidTint(material),
             rgb(light.color),
             material.finish,
             !light.shadowless,

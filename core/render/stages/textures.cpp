@@ -106,7 +106,7 @@ void TextureWork::spread(SurfacePoints& points) {
 Textures::Textures(const Scene& scene, bool transparency) : scene_(scene), transparency_(transparency) {
     for (const Material& material : scene.materials) {
         hasParts_ |= !material.parts.empty();
-        tints_ |= material.finish.reflectionMetallic != 0;
+        tints_ |= material.finish.reflectionMetallic != 0 || material.finish.metallic != 0;
         hasNormals_ |= material.normalTape != nullptr;
     }
 }

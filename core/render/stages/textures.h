@@ -40,7 +40,7 @@ class Textures : public Stage {
     const Scene& scene_;
     bool hasParts_ = false;
     bool hasNormals_ = false;
-    bool tints_ = false;  ///< mirrors ask for the pigments
+    bool tints_ = false;  ///< mirrors or highlights ask for the pigments
     bool transparency_;
 };
 
