@@ -72,7 +72,7 @@ struct Material {
     std::shared_ptr<const SurfaceNormal> normal;  ///< null: the shape's own
     Transform normalTransform;                    ///< as pigmentTransform
     Finish finish;
-    std::vector<std::string> notSimulated;  ///< as in Finish: "pavement"
+    std::vector<std::string> notSimulated;  ///< as in Finish: "projection"
 
     /// The textures that lie under this one, from the outside in; they show where it is transparent.
     std::vector<Material> below;

@@ -15,7 +15,7 @@ namespace isoscope {
 struct SolidPigment {
     Color color{0, 0, 0, 0, 0};
     /// What this one colour stands for, when the scene asked for something that is not simulated
-    /// ("pavement"); empty when it asked for a colour.
+    /// ("projection"); empty when it asked for a colour.
     std::string standsFor;
 };
 

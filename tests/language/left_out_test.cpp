@@ -43,7 +43,7 @@ light_source { 1, 1 area_light x, y, 4, 4 adaptive 1 jitter circular orient }
 lemon { "A}{" 1, 0 }
 )") + ball +
                                               "interior { ior 1.5 media { emission 1 } "
-                                              "} normal { pavement } finish { subsurface { 1 } } }");
+                                              "} normal { projection } finish { subsurface { 1 } } }");
         QVERIFY2(parsed.ok(), problems(parsed).c_str());
         const std::vector<std::string> expected{
             "`radiosity` is not simulated: light that objects throw on each other is missing. [radiosity]",
@@ -53,7 +53,7 @@ lemon { "A}{" 1, 0 }
         for (const std::string& sentence : expected)
             QVERIFY2(std::find(all.begin(), all.end(), sentence) != all.end(), sentence.c_str());
         for (const char* part : {"`media` is not simulated: smoke, fog and glow",
-                                 "`pavement` is not simulated.", "`subsurface` is not simulated"})
+                                 "`projection` is not simulated.", "`subsurface` is not simulated"})
             QVERIFY2(std::any_of(all.begin(), all.end(),
                                  [&](const std::string& s) { return s.starts_with(part); }),
                      part);
@@ -75,16 +75,23 @@ lemon { "A}{" 1, 0 }
         QVERIFY(complaints(parsed)[0].starts_with("`map_type` is not simulated. ["));
     }
 
-    /// It was an error, and the rest of the pigment with it.
-    void pavementIsDrawnAsOneColour() {
-        const ParseResult parsed = parseScene(
-            "sphere { 0, 1 pigment { pavement number_of_sides 4 number_of_tiles 3 pattern 2 exterior 0 "
-            "interior 0 "
-            "form 0 scale 2 } }");
-        QVERIFY2(parsed.ok(), problems(parsed).c_str());
-        QCOMPARE(complaints(parsed).at(0).substr(0, 56),
-                 std::string("The pigment pattern `pavement` is drawn as one colour. ["));
-        QCOMPARE(complaints(parsed).size(), std::size_t{1});
+    /// It was drawn as one colour.
+    void pavementIsDrawnWithSharpCorners() {
+        const auto complain = [](const std::string& modifiers) {
+            return complaints(parseScene("sphere { 0, 1 pigment { pavement " + modifiers + " scale 2 } }"));
+        };
+        QCOMPARE(complain("number_of_sides 4 number_of_tiles 3 pattern 2 exterior 0 interior 3 form 0"),
+                 std::vector<std::string>{});
+        const std::vector<std::string> rounded = complain("number_of_tiles 4 interior 2");
+        QCOMPARE(rounded.size(), std::size_t{1});
+        QVERIFY2(rounded.at(0).find("its corners are sharp.") != std::string::npos, rounded.at(0).c_str());
+    }
+    void pavementsThatDoNotExistAreToldWithTheNearest() {
+        const ParseResult parsed =
+            parseScene("sphere { 0, 1 pigment { pavement number_of_sides 6 number_of_tiles 6 } }");
+        QVERIFY(parsed.ok());
+        QVERIFY2(problems(parsed).find("number_of_sides 6 number_of_tiles 5 pattern 1") != std::string::npos,
+                 problems(parsed).c_str());
     }
 
     void namesNoEffectOfLightThatIsShown() {

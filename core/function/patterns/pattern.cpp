@@ -95,6 +95,7 @@ Expression rawValue(const PatternCall& call) {
         case PatternKind::hexagon:
         case PatternKind::square:
         case PatternKind::tiling:
+        case PatternKind::pavement:
         case PatternKind::triangular: return tilePattern(call);
         case PatternKind::mandel:
         case PatternKind::julia:

@@ -45,6 +45,7 @@ enum class PatternKind {
     square,
     triangular,
     tiling,
+    pavement,
     julia,
     magnetMandel,
     magnetJulia,
@@ -56,6 +57,13 @@ enum class PatternKind {
 /// What a pattern's value is put through last, behind frequency and phase (docs/povray/patterns.md, the
 /// pipeline's step 5).
 enum class WaveForm { ramp, triangle, sine, scallop, cubic, poly };
+
+/// Which tiles `pavement` lays (pavement.h): of how many cells with 3, 4 or 6 sides, and in which way.
+struct PavementChoice {
+    int sides = 3, tiles = 1, layout = 1;
+
+    friend bool operator==(const PavementChoice&, const PavementChoice&) = default;
+};
 
 /// `exterior type, factor` and `interior type, factor` of the fractal patterns. With u the point reached, m
 /// the least |u| on the way and k of N steps done: type 0 is the factor, 1 is k/N (exterior) or m*factor
@@ -111,6 +119,7 @@ struct Pattern {
     std::vector<PatternWarp> warps;  ///< transformations and warps in the order in which they are written
     int arms = 2;                    ///< of spiral1, spiral2
     int tiling = 1;                  ///< number 1 to rhombTiling (tilings.h)
+    PavementChoice pavement;
     int numberOfWaves = 10;
 };
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patterns of discrete values: brick, checker, cubic, hexagon, square, triangular; and tilings.
+// Patterns of discrete values: brick, checker, cubic, hexagon, square, triangular; tilings and pavements.
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "core/function/patterns/kite_tiling.h"
 #include "core/function/patterns/pattern_call.h"
+#include "core/function/patterns/pavement.h"
 #include "core/function/patterns/penrose_tiling.h"
 #include "core/function/patterns/tilings.h"
 
@@ -123,6 +125,13 @@ TileValue valueOf(const Tiling& tiling, const Tile& tile, Expression x, Expressi
     return {*least, (clamp(1 - *leastBevels, x.number(0), x.number(1)) + tile.kind) / tiling.kinds};
 }
 
+Expression tabled(const PatternCall& call, std::shared_ptr<const PointTable> table) {
+    CrackleSettings settings;
+    settings.table = std::move(table);
+    FunctionGraph& graph = call.x.graph();
+    return {graph, graph.crackle(settings, call.x.node(), call.y.node(), call.z.node())};
+}
+
 std::shared_ptr<const PointTable> penroseTable(int number) {
     static const auto pentagons = std::make_shared<const KiteTiling>(KiteTiling::Tiles::pentagons);
     static const auto kites = std::make_shared<const KiteTiling>(KiteTiling::Tiles::kites);
@@ -134,12 +143,7 @@ std::shared_ptr<const PointTable> penroseTable(int number) {
 
 /// Measured on POV-Ray 3.7: Tiling.
 Expression tilingPattern(const PatternCall& call) {
-    if (call.pattern.tiling > tilingCount) {
-        CrackleSettings settings;
-        settings.table = penroseTable(call.pattern.tiling);
-        FunctionGraph& graph = call.x.graph();
-        return {graph, graph.crackle(settings, call.x.node(), call.y.node(), call.z.node())};
-    }
+    if (call.pattern.tiling > tilingCount) return tabled(call, penroseTable(call.pattern.tiling));
     const Tiling& tiling = tilingOf(call.pattern.tiling);
     const PlanePoint &a = tiling.across, &b = tiling.along;
     const double area = a[0] * b[1] - a[1] * b[0];
@@ -163,6 +167,7 @@ Expression tilePattern(const PatternCall& call) {
         case PatternKind::cubic: return cubic(call);
         case PatternKind::square: return square(call);
         case PatternKind::tiling: return tilingPattern(call);
+        case PatternKind::pavement: return tabled(call, Pavement::of(call.pattern.pavement));
         case PatternKind::triangular: return triangular(call);
         default: return hexagon(call);
     }

@@ -16,7 +16,7 @@ namespace isoscope {
 using NormalPointer = std::shared_ptr<const SurfaceNormal>;
 
 /// `normal { ... }` with its patterns, `normal_map` and `slope_map`. A normal that is not simulated
-/// (`pavement`) leaves the surface smooth and is named in leftOut().
+/// (`projection`) leaves the surface smooth and is named in leftOut().
 class NormalParser {
   public:
     /// Entries of maps and lists begin from `defaults`, the normal of #default.

@@ -25,7 +25,7 @@ bool PatternParser::parseItems(PatternReader& reader) {
     const Token name = tokens_.peek();
     if (isPatternLeftOut(name.text) || name.is("slope") || name.is("aoi")) return leaveOut(name);
     // POV-Ray knows them in pigments, normals and textures only.
-    if (name.is("square") || name.is("triangular") || name.is("tiling")) {
+    if (name.is("square") || name.is("triangular") || name.is("tiling") || name.is("pavement")) {
         tokens_.context().error("unknown-pattern", name.range,
                                 "`" + std::string(name.text) + "` makes no `pattern` of its own.");
         return false;

@@ -7,10 +7,11 @@
 #include <map>
 #include <string>
 
+#include "core/function/patterns/pavement.h"
+#include "core/function/patterns/tilings.h"
 #include "core/language/directives/asset_file.h"
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/functions/function_parser.h"
-#include "core/function/patterns/tilings.h"
 #include "core/language/functions/function_scope.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/textures/image_map_parser.h"
@@ -42,7 +43,7 @@ const std::map<std::string_view, PatternKind> kinds{
     {"spotted", PatternKind::spotted},   {"square", PatternKind::square},
     {"waves", PatternKind::waves},       {"wood", PatternKind::wood},
     {"tiling", PatternKind::tiling},     {"triangular", PatternKind::triangular},
-    {"wrinkles", PatternKind::wrinkles},
+    {"pavement", PatternKind::pavement}, {"wrinkles", PatternKind::wrinkles},
 };
 
 std::array<double, 3> components(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
@@ -70,19 +71,13 @@ bool PatternReader::atName() const {
 }
 
 bool isPatternLeftOut(std::string_view word) {
-    static constexpr std::array<std::string_view, 3> names{"facets", "pavement", "projection"};
+    static constexpr std::array<std::string_view, 2> names{"facets", "projection"};
     return std::find(names.begin(), names.end(), word) != names.end();
 }
 
 void PatternReader::skipLeftOut() {
-    const Token name = tokens_.next();
-    ExpressionParser expressions(tokens_);
-    if (tokens_.accept("{")) return tokens_.skipBlock();
-    static constexpr std::array<const char*, 6> ofPavement{"number_of_sides", "number_of_tiles", "pattern",
-                                                           "exterior",        "interior",        "form"};
-    const auto accept = [&](const char* word) { return tokens_.accept(word); };
-    while (name.is("pavement") && std::any_of(ofPavement.begin(), ofPavement.end(), accept))
-        if (expressions.atExpression()) expressions.parseValue();
+    tokens_.next();
+    if (tokens_.accept("{")) tokens_.skipBlock();
 }
 
 bool PatternReader::countsEntries() const { return isDiscrete(pattern.kind) || isObject_; }
@@ -431,6 +426,39 @@ void PatternReader::parseNoiseGenerator() {
                       "write 2");
 }
 
+/// POV-Ray looks at the three numbers when all of them are known; they mostly follow one another.
+bool PatternReader::parsePavementModifier(const Token& word) {
+    if (pattern.kind != PatternKind::pavement) return false;
+    PavementChoice& choice = pattern.pavement;
+    const auto parseNumber = [&] { return wholeNumber(ExpressionParser(tokens_).parseFloat(), -1000, 1000); };
+    bool chooses = false;
+    for (;; chooses = true)
+        if (tokens_.accept("number_of_sides"))
+            choice.sides = parseNumber();
+        else if (tokens_.accept("number_of_tiles"))
+            choice.tiles = parseNumber();
+        else if (tokens_.accept("pattern"))
+            choice.layout = parseNumber();
+        else
+            break;
+    const SourceRange range = rangeSince(word.range, tokens_);
+    if (chooses) {
+        const PavementChoice possible = nearestPavement(choice);
+        if (possible != choice)
+            warnOfRefusal(tokens_.context(), range, "has no such `pavement`.",
+                          "write number_of_sides " + std::to_string(possible.sides) + " number_of_tiles " +
+                              std::to_string(possible.tiles) + " pattern " + std::to_string(possible.layout));
+        return true;
+    }
+    if (!tokens_.accept("exterior") && !tokens_.accept("interior") && !tokens_.accept("form")) return false;
+    const int rounding = parseNumber();
+    if (rounding == 1 || rounding == 2)
+        reportLeftOut(
+            tokens_.context(), range,
+            "`exterior`, `interior` and `form` of `pavement` are not simulated: its corners are sharp.");
+    return true;
+}
+
 bool PatternReader::parseModifier() {
     Transform transform;
     if (TransformParser(tokens_).parseModifier(transform)) {
@@ -443,10 +471,8 @@ bool PatternReader::parseModifier() {
         if (warp) pattern.warps.push_back(*warp);
         return warp.has_value();
     }
-    if (parseWave(word) || parseCrackleModifier(word) || parseFractalModifier(word) ||
-        parseShapeModifier(word) || parseGeneralModifier(word))
-        return true;
-    return false;
+    return parseWave(word) || parseCrackleModifier(word) || parseFractalModifier(word) ||
+           parsePavementModifier(word) || parseShapeModifier(word) || parseGeneralModifier(word);
 }
 
 }  // namespace isoscope

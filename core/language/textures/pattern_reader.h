@@ -55,6 +55,7 @@ class PatternReader {
     bool parseWave(const Token& word);
     bool parseCrackleModifier(const Token& word);
     bool parseFractalModifier(const Token& word);
+    bool parsePavementModifier(const Token& word);
     bool parseShapeModifier(const Token& word);
     bool parseGeneralModifier(const Token& word);
     FractalColoring parseColoring();
@@ -66,7 +67,7 @@ class PatternReader {
     std::shared_ptr<const DensityVolume> volume_;  ///< of it, where it could be read
 };
 
-/// Whether the word names a pattern that is read over and not simulated (`pavement`).
+/// Whether the word names a pattern that is read over and not simulated (`projection`).
 bool isPatternLeftOut(std::string_view word);
 
 }  // namespace isoscope

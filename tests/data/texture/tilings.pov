@@ -20,3 +20,8 @@ object { Tile pigment { tiling 9 color_map { Map } frequency 1.5 phase 0.2 sine_
 object { Tile texture { checker texture { pigment { rgb 1 } } texture { pigment { rgb <0.8, 0.2, 0> } } frequency 0.6 } Place() }
 object { Tile texture { triangular texture { pigment { rgb 1 } } texture { pigment { rgb <0.8, 0.2, 0> } } } Place() }
 object { Tile texture { tiling 7 texture_map { [0.2 pigment { rgb 1 }] [0.8 pigment { wood scale 0.2 }] } } Place() }
+object { Tile pigment { pavement number_of_tiles 6 pattern 7 color_map { Map } scale 0.6 rotate 20*y } Place() }
+object { Tile pigment { pavement number_of_sides 4 number_of_tiles 5 pattern 12 color_map { Map } scale 0.6 } Place() }
+object { Tile pigment { pavement number_of_sides 6 number_of_tiles 4 pattern 3 color_map { Map } turbulence 0.2 scale 0.4 } Place() }
+object { Tile pigment { rgb 0.5 } normal { pavement 0.7 number_of_sides 4 number_of_tiles 3 pattern 2 scale 0.6 } finish { ambient 0.1 diffuse 0.8 } Place() }
+light_source { <-20, 30, 10>, 1 }
