@@ -161,6 +161,7 @@ class Selection {
     void measure() {
         const std::size_t first = measured_;
         measured_ = count_;
+        // A loop of its own, of vector instructions: with size() in it crackle takes 2.6 % more time.
         if (place_.metric == 2) {
             for (std::size_t i = first; i < count_; ++i) {
                 double least = 0, furthest = 0;
@@ -326,6 +327,7 @@ const CrackleCandidates* crackleCandidates(const CrackleCube& cube, double metri
     if (!(cube.reach <= longestCrackleReach) || !(metric >= 1 / greatestCrackleMetric) ||
         !(metric <= greatestCrackleMetric))
         return nullptr;
+    // euclidean_crackle.cpp tells by the same rule which places look at the same list.
     std::size_t level = 1;
     while (level < finestLevel && cube.reach <= edgeOf(level + 1) / 2) ++level;
     Place place{{}, static_cast<std::int32_t>(level), order, metric};

@@ -275,6 +275,7 @@ bool isEuclidean(const CrackleSettings& settings) {
     return !settings.table && !settings.cells && settings.metric == 2;
 }
 
+/// Of a single piece, as the first lane of a vector.
 AffineForm euclideanForm(std::span<const AffineForm> operands, const CrackleSettings& settings) {
     constexpr std::size_t vector = 8;
     struct Columns {

@@ -14,13 +14,9 @@ namespace {
 constexpr double golden = std::numbers::phi;
 
 double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
-PlanePoint polar(double length, double degrees) {
-    return {length * std::cos(radians(degrees)), length * std::sin(radians(degrees))};
-}
-PlanePoint sum(PlanePoint a, PlanePoint b) { return {a[0] + b[0], a[1] + b[1]}; }
-/// Above 0 to the left of the way from a to b: twice the area of the triangle.
+/// Above 0 for a point to the left of the way from a to b: twice the area of the triangle.
 double turn(PlanePoint a, PlanePoint b, PlanePoint point) {
-    return (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0]);
+    return cross(difference(b, a), difference(point, a));
 }
 /// By the golden ratio, nearer to `a`. Exact at a of 0, where halves of all sizes meet.
 PlanePoint divided(PlanePoint a, PlanePoint b) {
@@ -28,8 +24,8 @@ PlanePoint divided(PlanePoint a, PlanePoint b) {
     return {a[0] * near + b[0] * far, a[1] * near + b[1] * far};
 }
 
-/// Unit sides from a corner, the first and the last 18 degrees (54 of a pentagon) beside a direction, with a
-/// turn after each.
+/// Unit sides one after the other from a corner, the first in a direction, with a turn after each but the
+/// last.
 PenroseShape walk(int kind, PlanePoint corner, double degrees, std::initializer_list<double> turns) {
     PenroseShape shape{kind, {}};
     for (const double next : turns) {
@@ -46,13 +42,16 @@ const double around = 0.5 / std::sin(radians(36)), within = 0.5 / std::tan(radia
 /// From one to its neighbours, and from the centre of a star to its tips.
 const double apart = 2 * within;
 
+/// The centre of the neighbour of a pentagon, or the tip of a star.
+PlanePoint beside(PlanePoint center, double degrees) { return sum(center, polar(apart, degrees)); }
+
 /// Of kind 0 to 2, given the direction of a corner.
 PenroseShape pentagon(int kind, PlanePoint center, double degrees) {
     return walk(kind, sum(center, polar(around, degrees)), degrees + 126, {72, 72, 72, 72});
 }
+/// Given the direction of a tip.
 PenroseShape star(PlanePoint center, double degrees) {
-    return walk(3, sum(center, polar(apart, degrees)), degrees + 162,
-                {-72, 144, -72, 144, -72, 144, -72, 144, -72});
+    return walk(3, beside(center, degrees), degrees + 162, {-72, 144, -72, 144, -72, 144, -72, 144, -72});
 }
 /// From a tip along the axis.
 PenroseShape boat(PlanePoint tip, double degrees) {
@@ -62,7 +61,6 @@ PenroseShape diamond(PlanePoint tip, double degrees) { return walk(5, tip, degre
 
 std::vector<PenroseShape> pentagonsInKite(double side) {
     const PlanePoint tip{0, 0}, end{side, 0}, wing = polar(side, 36), middle{side - apart - around, 0};
-    const auto beside = [](PlanePoint center, double degrees) { return sum(center, polar(apart, degrees)); };
     return {star(tip, 0),
             star(end, 180),
             pentagon(0, wing, 36),
@@ -79,7 +77,6 @@ std::vector<PenroseShape> pentagonsInKite(double side) {
 
 std::vector<PenroseShape> pentagonsInDart(double side) {
     const PlanePoint tip{0, 0}, end{side / golden, 0}, wing = polar(side, 36);
-    const auto beside = [](PlanePoint center, double degrees) { return sum(center, polar(apart, degrees)); };
     return {pentagon(0, tip, 0),
             pentagon(2, beside(tip, 36), 36),
             pentagon(0, end, 36),
@@ -130,10 +127,9 @@ struct KiteTiling::HalfTile {
 
     /// The point as it lies to the tip, with the axis as +x and the wing above.
     PlanePoint place(PlanePoint point) const {
-        const double dx = end[0] - tip[0], dz = end[1] - tip[1], length = std::hypot(dx, dz);
-        const double x = point[0] - tip[0], z = point[1] - tip[1];
-        const double across = (dx * z - dz * x) / length;
-        return {(dx * x + dz * z) / length, turn(tip, end, wing) < 0 ? -across : across};
+        const PlanePoint axis = difference(end, tip), way = difference(point, tip);
+        const double length = std::hypot(axis[0], axis[1]), across = cross(axis, way) / length;
+        return {(axis[0] * way[0] + axis[1] * way[1]) / length, turn(tip, end, wing) < 0 ? -across : across};
     }
 };
 

@@ -38,15 +38,8 @@ long long remainder(long long value, long long divisor) {
     return rest < 0 ? rest + divisor : rest;
 }
 
-PlanePoint direction(int degrees) {
-    const double angle = degrees * (std::numbers::pi / 180);
-    return {std::cos(angle), std::sin(angle)};
-}
-
-double cross(PlanePoint a, PlanePoint b) { return a[0] * b[1] - a[1] * b[0]; }
-
-/// The centre of the cell in which a point lies, and its corners: their places, their own cells, and the
-/// sides there.
+/// Calls visit(place, i, j, spokes) for the corners of the cell in which a point lies: (i, j) is the cell
+/// that they belong to.
 template <class Visit>
 void visitTriangle(double x, double z, Visit&& visit) {
     const double up = z / h, right = x - up / 2, i = std::floor(right), j = std::floor(up);
@@ -101,6 +94,7 @@ std::span<const PavementLayout> layoutsOf(int sides, int tiles) {
 
 }  // namespace
 
+/// Where cells meet: the sides that leave it are counted from its own cell (i, j).
 struct Pavement::Corner {
     PlanePoint place;
     long long i, j;
@@ -115,7 +109,7 @@ bool Pavement::isBorder(long long i, long long j, int side) const {
 }
 
 double Pavement::depthAt(const Corner& corner, PlanePoint point) const {
-    const PlanePoint way{point[0] - corner.place[0], point[1] - corner.place[1]};
+    const PlanePoint way = difference(point, corner.place);
     double degrees = std::atan2(way[1], way[0]) * (180 / std::numbers::pi);
     if (degrees < 0) degrees += 360;
     // The next borders on both sides of the point.
@@ -132,10 +126,10 @@ double Pavement::depthAt(const Corner& corner, PlanePoint point) const {
     if (first < 0) return infinite;
     if (before < 0) before = last - 360;
     if (behind < 0) behind = first + 360;
-    const double left = cross(direction(before), way), right = cross(way, direction(behind));
+    const double left = cross(polar(1, before), way), right = cross(way, polar(1, behind));
     if (behind - before <= 180) return std::min(left, right);
     // The sharpest corners are blunt.
-    const PlanePoint middle = direction((before + behind) / 2);
+    const PlanePoint middle = polar(1, (before + behind) / 2);
     const double ahead = behind - before > 270 ? way[0] * middle[0] + way[1] * middle[1] : -infinite;
     return std::max({left, right, ahead});
 }

@@ -27,6 +27,7 @@ class Pavement : public PointTable {
     explicit Pavement(const PavementLayout& layout) : layout_(layout) {}
 
     struct Corner;
+    /// Whether tiles meet at a side of a cell, as PavementLayout counts them.
     bool isBorder(long long i, long long j, int side) const;
     /// How far a point near a corner lies inside of a tile.
     double depthAt(const Corner& corner, PlanePoint point) const;

@@ -18,9 +18,9 @@ Tile regular(int kind, int sides, double x, double z, double direction) {
     Tile tile{kind, {}, {}};
     for (int k = 0; k < sides; ++k) {
         tile.corners.push_back({x, z});
-        const double angle = (direction + 360.0 * k / sides) * (std::numbers::pi / 180);
-        x += std::cos(angle);
-        z += std::sin(angle);
+        const PlanePoint side = polar(1, direction + 360.0 * k / sides);
+        x += side[0];
+        z += side[1];
     }
     return tile;
 }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <vector>
 
-namespace isoscope {
+#include "core/function/patterns/plane_point.h"
 
-/// A point of the plane of a tiling: x and z of the pattern's coordinates.
-using PlanePoint = std::array<double, 2>;
+namespace isoscope {
 
 /// One convex tile, anticlockwise as seen with x to the right and z upwards.
 struct Tile {

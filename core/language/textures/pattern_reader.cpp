@@ -431,8 +431,7 @@ bool PatternReader::parsePavementModifier(const Token& word) {
     if (pattern.kind != PatternKind::pavement) return false;
     PavementChoice& choice = pattern.pavement;
     const auto parseNumber = [&] { return wholeNumber(ExpressionParser(tokens_).parseFloat(), -1000, 1000); };
-    bool chooses = false;
-    for (;; chooses = true)
+    const auto parseChoice = [&] {
         if (tokens_.accept("number_of_sides"))
             choice.sides = parseNumber();
         else if (tokens_.accept("number_of_tiles"))
@@ -440,12 +439,14 @@ bool PatternReader::parsePavementModifier(const Token& word) {
         else if (tokens_.accept("pattern"))
             choice.layout = parseNumber();
         else
-            break;
-    const SourceRange range = rangeSince(word.range, tokens_);
-    if (chooses) {
+            return false;
+        return true;
+    };
+    if (parseChoice()) {
+        while (parseChoice()) continue;
         const PavementChoice possible = nearestPavement(choice);
         if (possible != choice)
-            warnOfRefusal(tokens_.context(), range, "has no such `pavement`.",
+            warnOfRefusal(tokens_.context(), rangeSince(word.range, tokens_), "has no such `pavement`.",
                           "write number_of_sides " + std::to_string(possible.sides) + " number_of_tiles " +
                               std::to_string(possible.tiles) + " pattern " + std::to_string(possible.layout));
         return true;
@@ -454,7 +455,7 @@ bool PatternReader::parsePavementModifier(const Token& word) {
     const int rounding = parseNumber();
     if (rounding == 1 || rounding == 2)
         reportLeftOut(
-            tokens_.context(), range,
+            tokens_.context(), rangeSince(word.range, tokens_),
             "`exterior`, `interior` and `form` of `pavement` are not simulated: its corners are sharp.");
     return true;
 }
