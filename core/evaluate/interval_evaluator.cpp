@@ -296,7 +296,14 @@ Interval evaluateOperation(Operation operation, std::span<const Interval> operan
 }
 
 IntervalEvaluator::IntervalEvaluator(std::shared_ptr<const Tape> tape, const UniformValues& uniforms)
-    : tape_(std::move(tape)), slots_(tape_->slotCount()), operandRanges_(tape_->instructions().size()) {
+    : tape_(std::move(tape)), slots_(tape_->slotCount()) {
+    firstOperands_.reserve(tape_->instructions().size());
+    std::uint32_t operands = 0;
+    for (const Instruction& instruction : tape_->instructions()) {
+        firstOperands_.push_back(operands);
+        operands += instruction.operandCount;
+    }
+    operandRanges_.resize(operands);
     for (std::size_t k = 0; k < uniforms.values.size(); ++k)
         slots_[tape_->firstUniform() + k] = uniformRange(uniforms.values[k]);
     for (std::size_t k = 0; k < uniforms.loops.size(); ++k)
@@ -316,7 +323,7 @@ Interval IntervalEvaluator::evaluate(std::span<const Interval> arguments, std::s
 }
 
 void IntervalEvaluator::forgetRanges() {
-    for (auto& ranges : operandRanges_) ranges.fill({Interval::infinite, -Interval::infinite, false});
+    for (Interval& range : operandRanges_) range = {Interval::infinite, -Interval::infinite, false};
     for (const auto& loop : loops_) loop->forgetRanges();
 }
 
@@ -330,7 +337,8 @@ void IntervalEvaluator::run(std::span<const Interval> arguments, double loopAllo
         std::array<Interval, 4> operands;
         for (std::size_t k = 0; k < instruction.operandCount; ++k) {
             operands[k] = slots_[instruction.operands[k]];
-            operandRanges_[number][k] = hull(operandRanges_[number][k], operands[k]);
+            Interval& range = operandRanges_[firstOperands_[number] + k];
+            range = hull(range, operands[k]);
         }
         const bool isLoop =
             instruction.operation == Operation::sum || instruction.operation == Operation::product;

@@ -36,9 +36,10 @@ class IntervalEvaluator {
     /// Interval::undefined().
     Interval evaluate(std::span<const Interval> arguments, std::size_t result = 0);
 
-    /// The range of operand `operand` of instruction `instruction` during the last evaluate().
+    /// The range of operand `operand`, which there must be, of instruction `instruction` during the last
+    /// evaluate().
     const Interval& operandRange(std::size_t instruction, int operand) const {
-        return operandRanges_[instruction][static_cast<std::size_t>(operand)];
+        return operandRanges_[firstOperands_[instruction] + static_cast<std::size_t>(operand)];
     }
 
     /// The evaluator of a loop's body; its ranges are hulls over all steps when the bounds are known.
@@ -51,7 +52,8 @@ class IntervalEvaluator {
 
     std::shared_ptr<const Tape> tape_;
     std::vector<Interval> slots_;
-    std::vector<std::array<Interval, 4>> operandRanges_;
+    std::vector<Interval> operandRanges_;       ///< instruction by instruction
+    std::vector<std::uint32_t> firstOperands_;  ///< of each instruction, in these
     std::vector<std::unique_ptr<IntervalEvaluator>> loops_;
 };
 

@@ -18,17 +18,49 @@ const TapeLinks& PreparedTape::links() const {
     return *links_;
 }
 
-GlobalSimplification::GlobalSimplification(const std::shared_ptr<const Tape>& tape, const TapeLinks& links,
-                                           const UniformValues& uniforms, std::span<const SignLevel> levels) {
-    IntervalEvaluator everywhere(tape, uniforms);
-    // Arguments behind x, y, z are 0.
-    const std::array box{Interval::all(), Interval::all(), Interval::all()};
-    everywhere.evaluate(box);
-    domains_ = OperandDomains(*tape, everywhere);
-    approximations_ = approximationsOf(links, everywhere, uniforms, levels);
-    for (const TapeApproximation& approximation : approximations_)
-        codes_.emplace_back(*tape, approximation.tape.instructions, std::span(&approximation.tape.result, 1));
+/// One interval evaluation over all of space.
+struct GlobalSimplification::Everywhere {
+    explicit Everywhere(const PreparedFunction& function) : ranges(function) {
+        // Arguments behind x, y, z are 0.
+        ranges.evaluate(std::array{Interval::all(), Interval::all(), Interval::all()});
+        domains = OperandDomains(*function.tape(), ranges);
+    }
+
+    IntervalEvaluator ranges;  ///< of the operands
+    OperandDomains domains;
+};
+
+GlobalSimplification::GlobalSimplification(const PreparedFunction& function)
+    : everywhere_(std::make_shared<const Everywhere>(function)) {
+    simplify(function, choicesEverywhere(function.links(), everywhere_->ranges));
 }
+
+GlobalSimplification::GlobalSimplification(const PreparedFunction& function,
+                                           std::shared_ptr<const Everywhere> everywhere,
+                                           std::span<const Choice> choices)
+    : everywhere_(std::move(everywhere)) {
+    simplify(function, choices);
+}
+
+void GlobalSimplification::simplify(const PreparedFunction& function, std::span<const Choice> choices) {
+    approximations_ = approximationsOf(function.links(), choices, everywhere_->ranges, function.uniforms());
+    for (const TapeApproximation& approximation : approximations_)
+        codes_.emplace_back(*function.tape(), approximation.tape.instructions,
+                            std::span(&approximation.tape.result, 1));
+}
+
+std::shared_ptr<const GlobalSimplification> GlobalSimplification::forSigns(const PreparedFunction& function,
+                                                                           double threshold) const {
+    const TapeLinks& links = function.links();
+    const std::vector<Choice> choices =
+        choicesEverywhere(links, everywhere_->ranges, links.levels(function.uniforms(), threshold));
+    if (choices == choicesEverywhere(links, everywhere_->ranges)) return nullptr;
+    std::shared_ptr<const GlobalSimplification> made(
+        new GlobalSimplification(function, everywhere_, choices));
+    return made->decided()->instructions.size() < decided()->instructions.size() ? made : nullptr;
+}
+
+const OperandDomains& GlobalSimplification::domains() const { return everywhere_->domains; }
 
 PreparedFunction::PreparedFunction(std::shared_ptr<const Tape> tape,
                                    std::shared_ptr<const PreparedTape> prepared, UniformValues uniforms)
@@ -52,7 +84,7 @@ std::shared_ptr<const PreparedFunction> PreparedFunction::with(std::span<const d
 }
 
 std::shared_ptr<const GlobalSimplification> PreparedFunction::global() const {
-    const auto make = [&] { return std::make_shared<const GlobalSimplification>(tape_, links(), uniforms_); };
+    const auto make = [&] { return std::make_shared<const GlobalSimplification>(*this); };
     // Loops may keep the thread that makes it for seconds; a stop does not wait for that.
     std::unique_lock lock(globalMutex_, std::defer_lock);
     while (!lock.try_lock_for(std::chrono::milliseconds(10)))
@@ -74,10 +106,8 @@ std::shared_ptr<const GlobalSimplification> PreparedFunction::globalFor(double t
         return plain;
     const std::lock_guard lock(signMutex_);
     if (signGlobal_ && signThreshold_ == threshold) return signGlobal_;
-    const std::vector<SignLevel> levels = links().levels(uniforms_, threshold);
-    auto made = std::make_shared<const GlobalSimplification>(tape_, links(), uniforms_, levels);
-    const bool shorter = made->decided()->instructions.size() < decided->instructions.size();
-    signGlobal_ = shorter ? std::move(made) : plain;
+    signGlobal_ = plain->forSigns(*this, threshold);
+    if (!signGlobal_) signGlobal_ = plain;
     signThreshold_ = threshold;
     return signGlobal_;
 }

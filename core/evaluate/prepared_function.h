@@ -41,17 +41,21 @@ class PreparedTape {
     StepCodes codes_;
 };
 
+class PreparedFunction;
+
 /// What one interval evaluation over all of space says about a function: what operands can be at all, and
 /// approximations without what is decided or next to nothing everywhere. Immutable.
 class GlobalSimplification {
   public:
-    /// All must outlive it, as must the tape that they are for. With `levels`, approximations are of a
-    /// function that has no more than the signs of this one, as approximationsOf() has it.
-    GlobalSimplification(const std::shared_ptr<const Tape>& tape, const TapeLinks& links,
-                         const UniformValues& uniforms, std::span<const SignLevel> levels = {});
+    /// The function must outlive it.
+    explicit GlobalSimplification(const PreparedFunction& function);
+    /// The same where nothing but the sign of the function minus a threshold counts (choicesEverywhere). Null
+    /// where that makes the tape no shorter.
+    std::shared_ptr<const GlobalSimplification> forSigns(const PreparedFunction& function,
+                                                         double threshold) const;
 
     /// For the workspaces of forms.
-    const OperandDomains& domains() const { return domains_; }
+    const OperandDomains& domains() const;
     /// As approximationsOf() has them; empty for tapes with loops.
     std::span<const TapeApproximation> approximations() const { return approximations_; }
     /// The first of them: the tape without choices that are the same everywhere; null for the tape as it is.
@@ -64,7 +68,13 @@ class GlobalSimplification {
     }
 
   private:
-    OperandDomains domains_;
+    struct Everywhere;
+
+    GlobalSimplification(const PreparedFunction& function, std::shared_ptr<const Everywhere> everywhere,
+                         std::span<const Choice> choices);
+    void simplify(const PreparedFunction& function, std::span<const Choice> choices);
+
+    std::shared_ptr<const Everywhere> everywhere_;  ///< also of the one for signs
     std::vector<TapeApproximation> approximations_;
     std::deque<StepCodes> codes_;  ///< of each
 };

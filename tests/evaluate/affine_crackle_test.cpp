@@ -78,7 +78,7 @@ class AffineCrackleTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void initTestCase() { qInfo("seed %u", seed); }
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
 
     void formsHoldTheValues_data() {
         QTest::addColumn<bool>("euclidean");

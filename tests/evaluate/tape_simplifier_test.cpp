@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluate/tape/tape_simplifier.h"
 
+#include <bit>
 #include <cmath>
 #include <QTest>
 #include <random>
@@ -90,6 +91,66 @@ class TapeSimplifierTest : public QObject {
         const auto clamped =
             tapeOf([](auto x, auto y, auto z) { return abs(y + 2) * max(x * x - z, 0) - 1; });
         QCOMPARE(TapeLinks(*clamped).leastLength(), std::size_t(4));
+    }
+
+    /// Long chains of min and max are passed many links at once: what is left is the same.
+    void chainsLeaveWhatTheirLinksLeave() {
+        std::mt19937_64 random(seed);
+        const auto below = [&](int count) {
+            return static_cast<int>(random() % static_cast<unsigned>(count));
+        };
+        for (int round = 0; round < 200; ++round) {
+            const auto tape = tapeOf([&](auto x, auto y, auto z) {
+                const auto part = [&] { return sq(x - below(100)) + sq(y) - z * below(100); };
+                std::vector<Expression> values{part()};
+                for (int k = 0; k < 300; ++k) {
+                    // Mostly chains, to the left and to the right, with others among them.
+                    const Expression last = values.back();
+                    const Expression other =
+                        below(8) > 0 ? part() : values[static_cast<std::size_t>(below(k + 1))];
+                    const int kind = below(20);
+                    values.push_back(kind == 0   ? abs(last)
+                                     : kind == 1 ? select(other, last, part())
+                                     : kind < 10 ? min(last, other)
+                                     : kind < 14 ? min(other, last)
+                                                 : max(last, other));
+                }
+                return values.back();
+            });
+            const TapeLinks links(*tape);
+            TapeSimplifier simplifier(links);
+            const int open = below(20);
+            std::vector<LaneChoices> choices(simplifier.choiceCount());
+            for (LaneChoices& choice : choices)
+                if (below(20) >= open) (below(3) > 0 ? choice.first : choice.second) = 1;
+            DecidedChoices decided;
+            decided.reset(links);
+            decided.add(links.chains().places, choices, 1);
+            SimplifiedTape oneByOne, atOnce;
+            simplifier.simplify(choices, 1, 0, oneByOne);
+            simplifier.simplify(decided, atOnce);
+            QCOMPARE(atOnce.result, oneByOne.result);
+            QCOMPARE(atOnce.resultValue, oneByOne.resultValue);
+            QCOMPARE(atOnce.levelNumbers, oneByOne.levelNumbers);
+            QCOMPARE(atOnce.instructions.size(), oneByOne.instructions.size());
+            for (std::size_t k = 0; k < atOnce.instructions.size(); ++k) {
+                const Instruction &a = atOnce.instructions[k], &b = oneByOne.instructions[k];
+                QVERIFY(a.operation == b.operation && a.target == b.target && a.operands == b.operands &&
+                        a.number == b.number);
+            }
+        }
+    }
+
+    /// A union of 1000 parts is one chain; what is left of it is found by some words of bits.
+    void aUnionIsOneChain() {
+        const auto tape = unionOfBalls(1000);
+        const TapeLinks links(*tape);
+        const TapeLinks::Chains& chains = links.chains();
+        std::size_t leading = 0;
+        for (const std::uint64_t bits : chains.leadsByFirst)
+            leading += static_cast<std::size_t>(std::popcount(bits));
+        QCOMPARE(leading, std::size_t(999));
+        for (const std::uint64_t bits : chains.leadsBySecond) QCOMPARE(bits, std::uint64_t(0));
     }
 
     void negativeAbsoluteValueBecomesANegation() {

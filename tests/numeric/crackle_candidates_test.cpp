@@ -78,7 +78,7 @@ class CrackleCandidatesTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void initTestCase() { qInfo("seed %u", seed); }
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
 
     /// The nearest points of every place in the cube are among them; those in front are looked at from all of
     /// it.

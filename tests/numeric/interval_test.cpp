@@ -201,7 +201,7 @@ class IntervalTest : public QObject {
     }
 
     void sumsAndProductsAreTight() {
-        qInfo("seed %u", seed);
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
         std::mt19937 random(seed);
         const auto oneStep = [](const Interval& found, double low, double high) {
             return (found.low == low || found.low == std::nextafter(low, -infinite)) &&

@@ -3,18 +3,23 @@
 
 #include <QTest>
 #include <cmath>
+#include <array>
 #include <glm/geometric.hpp>
+#include <random>
 
 #include "core/evaluate/prepared_function.h"
 #include "core/function/patterns/pattern.h"
 #include "tests/roots/line_table.h"
 #include "tests/support/tape_of.h"
+#include "tests/support/test_setting.h"
 
 using namespace isoscope;
 using test::LineTable;
 using test::tapeOf;
 
 namespace {
+
+const std::uint64_t seed = test::seedSetting(271828);
 
 /// 32 x 32 parallel lines along z, 8 x 8 at a time.
 std::vector<LineQuery> ahead(double apart) {
@@ -45,7 +50,9 @@ class March {
           gradients_(function_),
           march_(forms_, settings_),
           polish_(gradients_, settings_),
-          cells(*function_, {settings_, forms_, march_, polish_}) {}
+          points_(function_),
+          fallback_(points_, settings_),
+          cells(*function_, {settings_, forms_, march_, polish_, fallback_}) {}
 
     CellMarch::Outcome run(const std::vector<LineQuery>& lines) {
         const LineTable table(lines);
@@ -63,6 +70,8 @@ class March {
     GradientEvaluator gradients_;
     MarchKernel march_;
     NewtonPolish polish_;
+    PointEvaluator points_;
+    RootPolish fallback_;
 
   public:
     CellMarch cells;
@@ -76,6 +85,8 @@ class CellMarchTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
+
     /// Cells are for functions of which little is left in each. Ten clamps that never act are no such
     /// choices.
     void decidedChoicesAloneMakeNoCells() {
@@ -148,7 +159,7 @@ class CellMarchTest : public QObject {
         }
         QVERIFY(hits > 100);
         QVERIFY(march.cells.rest().size() < 5);
-        QVERIFY(march.cells.unsettled().empty());
+        QVERIFY(march.roots.others.empty());
         QCOMPARE(march.cells.searched(), lines.size());
         qInfo("%g enclosures a line", static_cast<double>(march.evaluations) / 1024);
         // Nearly all of them of single balls.
@@ -166,6 +177,98 @@ class CellMarchTest : public QObject {
         const std::vector<LineQuery> lines = ahead(0.001);
         QCOMPARE(march.run(lines), CellMarch::Outcome::done);
         for (std::size_t i = 0; i < lines.size(); ++i) QVERIFY(std::abs(march.t(i) - 2.9) < 1e-7);
+    }
+
+    /// Where two balls meet there is a kink, which the first polish leaves: it is settled by the short tape.
+    void kinksAreSettled() {
+        March march(tapeOf([](auto x, auto y, auto z) {
+            Expression least = x.number(10);
+            for (int k = -10; k <= 10; ++k) least = min(least, sq(x - k) + sq(y) + sq(z) - 1);
+            return least;
+        }));
+        // Aslant, about where two balls meet.
+        std::vector<LineQuery> lines = ahead(1e-6);
+        for (LineQuery& line : lines) {
+            line.direction = {0.6, 0, 0.8};
+            line.origin += glm::dvec3(0.5, 0, 4 - std::sqrt(0.75)) - 4.0 * line.direction;
+        }
+        QCOMPARE(march.run(lines), CellMarch::Outcome::done);
+        QVERIFY(march.cells.rest().empty());
+        std::vector<double> found(lines.size());
+        for (std::size_t i = 0; i < lines.size(); ++i) found[i] = march.t(i);
+        for (const FirstRoots::Other& other : march.roots.others) {
+            QVERIFY(other.root.kind == RootKind::crossing);
+            found[other.line] = other.root.t;
+        }
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            double first = FirstRoots::none;
+            for (int k = -10; k <= 10; ++k) {
+                const glm::dvec3 from = lines[i].origin - glm::dvec3(k, 0, 0);
+                const double nearest = -glm::dot(from, lines[i].direction);
+                const double square = 1 - glm::dot(from, from) + nearest * nearest;
+                if (square > 0) first = std::min(first, nearest - std::sqrt(square));
+            }
+            QVERIFY(std::abs(found[i] - first) < 1e-7);
+        }
+        qInfo("%zu settled by point values", march.roots.others.size());
+        QVERIFY(!march.roots.others.empty());
+    }
+
+    /// More cells than tapes are kept: those that are made again are the same, and hold.
+    void droppedTapesAreMadeAgain() {
+        constexpr int row = 90;
+        const auto tape = tapeOf([](auto x, auto y, auto z) {
+            Expression least = x.number(10);
+            for (int k = 0; k < row * row; ++k)
+                least = min(least, sq(x - k % row) + sq(y - k / row) + sq(z) - 0.16);
+            return least;
+        });
+        const auto function = PreparedFunction::of(tape, {});
+        PointEvaluator points(function);
+        RootSettings settings;
+        settings.region = LineRegion{glm::dvec3(-1, -1, -1), glm::dvec3(row, row, 1)};
+        CellTree tree(*function, settings);
+        struct Seen {
+            glm::dvec3 center;
+            std::vector<std::uint32_t> numbers;
+        };
+        std::vector<Seen> seen(row * row);
+        std::size_t instructions = 0;
+        std::mt19937_64 random(seed);
+        for (const bool again : {false, true})
+            for (int k = 0; k < row * row; ++k) {
+                // A bundle about the top of a ball.
+                const glm::dvec3 origin{k % row, k / row, -1};
+                const std::vector<LineQuery> lines{{origin - glm::dvec3(0.05), {0, 0, 1}, 0.5, 0.8},
+                                                   {origin + glm::dvec3(0.05), {0, 0, 1}, 0.5, 0.8}};
+                const LineTable table(lines);
+                const LineBundle bundle = *LineBundle::around(table.columns(), 0, lines.size());
+                tree.begin(bundle);
+                const CellTree::Cell& cell = tree.find(bundle, 0.5);
+                QVERIFY(cell.tape != nullptr);
+                std::vector<std::uint32_t> numbers;
+                for (const Instruction& instruction : cell.tape->instructions)
+                    numbers.push_back(instruction.number);
+                if (again) {
+                    QCOMPARE(cell.center, seen[static_cast<std::size_t>(k)].center);
+                    QCOMPARE(numbers, seen[static_cast<std::size_t>(k)].numbers);
+                    continue;
+                }
+                instructions += numbers.size();
+                seen[static_cast<std::size_t>(k)] = {cell.center, numbers};
+                std::array<double, 8> x, y, z, whole, left;
+                std::uniform_real_distribution<double> place(-cell.halfWidth, cell.halfWidth);
+                for (std::size_t i = 0; i < x.size(); ++i) {
+                    x[i] = cell.center.x + place(random);
+                    y[i] = cell.center.y + place(random);
+                    z[i] = cell.center.z + place(random);
+                }
+                points.evaluate(x, y, z, whole);
+                points.evaluate(x, y, z, left, *cell.tape);
+                for (std::size_t i = 0; i < x.size(); ++i) QCOMPARE(left[i] < 0, whole[i] < 0);
+            }
+        qInfo("%zu instructions in all", instructions);
+        QVERIFY(instructions > (std::size_t(1) << 16));
     }
 
     /// Lines that begin inside an open surface leave it later, several cells on.

@@ -141,8 +141,9 @@ int compareWays(const Shape& shape, int number, std::span<const Ray> rays) {
             (!list[i].found || (hits[HitBatch::t][i] == expected.t && hits.normal(i) == expected.normal &&
                                 hits.kind(i) == expected.kind && hits.material(i) == expected.material));
         if (!same)
-            qWarning("seed %u, shape %d, ray %zu: t %.17g instead of %.17g", seed, number, i,
-                     hits[HitBatch::t][i], list[i].found ? expected.t : -1);
+            qWarning("seed %llu, shape %d, ray %zu: t %.17g instead of %.17g",
+                     static_cast<unsigned long long>(seed), number, i, hits[HitBatch::t][i],
+                     list[i].found ? expected.t : -1);
         if (!same) return -1;
         met += list[i].found;
     }

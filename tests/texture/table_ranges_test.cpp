@@ -126,7 +126,7 @@ class TableRangesTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void initTestCase() { qInfo("seed %u", seed); }
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(seed)); }
 
     void imagesHoldTheirValues_data() {
         QTest::addColumn<int>("interpolation");

@@ -48,6 +48,28 @@ Choice decidedEverywhere(Operation operation, const Interval& p, const Interval&
     }
 }
 
+/// As BoxEvaluator decides where only the sign of the instruction's value minus a level counts.
+Choice decidedFor(const SignLevel& level, const Tape& tape, const Instruction& instruction,
+                  std::span<const Interval> operands) {
+    const auto isAbove = [&](const Interval& values) { return level.isBelow(values); };
+    const auto isBelow = [&](const Interval& values) { return level.isAbove(values); };
+    if (isSelect(instruction.operation)) {
+        const std::span<const Interval> cases = operands.subspan(1);
+        return std::ranges::all_of(cases, isAbove) || std::ranges::all_of(cases, isBelow)
+                   ? cheapestCase(tape, instruction)
+                   : Choice::open;
+    }
+    // Of an operand that is not a number min and max make the other one, or none.
+    if (!operands[0].isDefined() || !operands[1].isDefined()) return Choice::open;
+    const bool takesLower = instruction.operation == Operation::minimum;
+    const auto leavesTheSign = [&](const Interval& values) {
+        return takesLower ? isAbove(values) : isBelow(values);
+    };
+    return leavesTheSign(operands[0])   ? Choice::second
+           : leavesTheSign(operands[1]) ? Choice::first
+                                        : Choice::open;
+}
+
 /// A term of a sum: an operand of an addition or subtraction whose value goes into the result by sums and
 /// constant factors alone.
 struct Term {
@@ -60,23 +82,21 @@ struct Term {
 class TapeApproximator {
   public:
     TapeApproximator(const TapeLinks& links, const IntervalEvaluator& everywhere,
-                     const UniformValues& uniforms, std::span<const SignLevel> levels)
-        : tape_(links.tape()),
-          everywhere_(everywhere),
-          uniforms_(uniforms),
-          simplifier_(links),
-          signs_{levels, levels.empty() ? std::span<const std::uint32_t>() : simplifier_.levelNumbers()} {}
+                     const UniformValues& uniforms)
+        : tape_(links.tape()), everywhere_(everywhere), uniforms_(uniforms), simplifier_(links) {}
 
-    std::vector<TapeApproximation> run() {
+    std::vector<TapeApproximation> run(std::span<const Choice> choices) {
         std::vector<TapeApproximation> approximations(1);
-        simplifier_.simplify(decidedChoices(), 0, approximations[0].tape);
-        whole_ = approximations[0].tape;
-        double cost = costOf(whole_);
+        SimplifiedTape& whole = approximations[0].tape;
+        simplifier_.simplify(choices, 0, whole);
+        double cost = costOf(whole);
         if (cost < worthwhileCost) return approximations;
-        weigh();
-        TapeApproximation next{whole_};
-        SimplifiedTape rest = whole_;
-        for (const Term& term : smallestTerms()) {
+        const std::vector<Term> terms = smallestTerms(whole);
+        // Long unions have none: they are not copied.
+        if (terms.empty()) return approximations;
+        TapeApproximation next{whole};
+        SimplifiedTape rest = whole;
+        for (const Term& term : terms) {
             if (!leaveOut(term, rest)) continue;
             next.offset += term.offset;
             next.error += term.error * (1 + roundings) + std::abs(next.offset) * roundings;
@@ -90,39 +110,6 @@ class TapeApproximator {
     }
 
   private:
-    std::vector<Choice> decidedChoices() const {
-        std::vector<Choice> choices;
-        for (const Instruction& instruction : tape_.instructions()) {
-            if (!isChoice(instruction.operation)) continue;
-            Choice choice =
-                decidedEverywhere(instruction.operation, range(instruction, 0), range(instruction, 1));
-            if (choice == Choice::open)
-                if (const SignLevel* level = signs_.of(choices.size()))
-                    choice = decidedFor(*level, instruction);
-            choices.push_back(choice);
-        }
-        return choices;
-    }
-
-    /// As BoxEvaluator decides where only the sign of the instruction's value minus a level counts.
-    Choice decidedFor(const SignLevel& level, const Instruction& instruction) const {
-        const auto isAbove = [&](int k) { return level.isBelow(range(instruction, k)); };
-        const auto isBelow = [&](int k) { return level.isAbove(range(instruction, k)); };
-        if (isSelect(instruction.operation)) {
-            bool above = true, below = true;
-            for (int k = 1; k < instruction.operandCount; ++k) {
-                above = above && isAbove(k);
-                below = below && isBelow(k);
-            }
-            return above || below ? cheapestCase(tape_, instruction) : Choice::open;
-        }
-        // Of an operand that is not a number min and max make the other one, or none.
-        if (!range(instruction, 0).isDefined() || !range(instruction, 1).isDefined()) return Choice::open;
-        const bool takesLower = instruction.operation == Operation::minimum;
-        const auto leavesTheSign = [&](int k) { return takesLower ? isAbove(k) : isBelow(k); };
-        return leavesTheSign(0) ? Choice::second : leavesTheSign(1) ? Choice::first : Choice::open;
-    }
-
     const Interval& range(const Instruction& instruction, int operand) const {
         return everywhere_.operandRange(instruction.number, operand);
     }
@@ -151,9 +138,23 @@ class TapeApproximator {
         }
     }
 
+    struct Weight {
+        double sum = 0;
+        double size = 0;  ///< of all its parts
+    };
+
+    /// Whether something else than the result itself can be in it by sums and constant factors.
+    bool isSum(const SimplifiedTape& whole) const {
+        if (SimplifiedTape::isFixed(whole.resultValue)) return false;
+        const Instruction& last = whole.instructions[whole.resultValue];
+        for (int k = 0; k < last.operandCount; ++k)
+            if (!std::isnan(factor(last, k))) return true;
+        return false;
+    }
+
     /// How much of each instruction's value is in the result; NaN where it is there in other ways too.
-    void weigh() {
-        const std::vector<Instruction>& instructions = whole_.instructions;
+    std::vector<Weight> weigh(const SimplifiedTape& whole) const {
+        const std::vector<Instruction>& instructions = whole.instructions;
         constexpr std::size_t fixed = ~std::size_t{0};
         std::vector<std::size_t> writer(tape_.slotCount(), fixed);
         std::vector<std::array<std::size_t, 4>> sources(instructions.size());
@@ -162,31 +163,34 @@ class TapeApproximator {
                 sources[i][k] = writer[instructions[i].operands[k]];
             writer[instructions[i].target] = i;
         }
-        weights_.assign(instructions.size(), {});
-        if (writer[whole_.result] != fixed) weights_[writer[whole_.result]] = {1, 1};
+        std::vector<Weight> weights(instructions.size());
+        if (writer[whole.result] != fixed) weights[writer[whole.result]] = {1, 1};
         for (std::size_t i = instructions.size(); i-- > 0;)
             for (int k = 0; k < instructions[i].operandCount; ++k)
                 if (const std::size_t source = sources[i][static_cast<std::size_t>(k)]; source != fixed) {
                     const double part = factor(instructions[i], k);
                     if (part == 0) continue;
-                    weights_[source].sum += weights_[i].sum * part;
-                    weights_[source].size += weights_[i].size * std::abs(part);
+                    weights[source].sum += weights[i].sum * part;
+                    weights[source].size += weights[i].size * std::abs(part);
                 }
+        return weights;
     }
 
-    std::vector<Term> smallestTerms() const {
+    std::vector<Term> smallestTerms(const SimplifiedTape& whole) const {
         std::vector<Term> terms;
-        for (std::size_t i = 0; i < weights_.size(); ++i) {
-            const Instruction& instruction = whole_.instructions[i];
+        if (!isSum(whole)) return terms;
+        const std::vector<Weight> weights = weigh(whole);
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            const Instruction& instruction = whole.instructions[i];
             if (instruction.operation != Operation::add && instruction.operation != Operation::subtract)
                 continue;
             for (int k = 0; k < 2; ++k) {
                 const Interval& values = range(instruction, k);
-                const double weight = weights_[i].sum * factor(instruction, k);
+                const double weight = weights[i].sum * factor(instruction, k);
                 const double middle = 0.5 * (values.low + values.high);
                 const double largest = std::max(std::abs(values.low), std::abs(values.high));
                 const double error = std::abs(weight) * 0.5 * (values.high - values.low) +
-                                     roundings * weights_[i].size * largest;
+                                     roundings * weights[i].size * largest;
                 if (!values.maybeUndefined && std::isfinite(error) && error > 0)
                     terms.push_back({i, k, weight * middle, error});
             }
@@ -234,22 +238,36 @@ class TapeApproximator {
     const IntervalEvaluator& everywhere_;
     const UniformValues& uniforms_;
     TapeSimplifier simplifier_;
-    SignStakes signs_;
-    SimplifiedTape whole_;
-    struct Weight {
-        double sum = 0;
-        double size = 0;  ///< of all its parts
-    };
-    std::vector<Weight> weights_;
 };
 
 }  // namespace
 
-std::vector<TapeApproximation> approximationsOf(const TapeLinks& links, const IntervalEvaluator& everywhere,
-                                                const UniformValues& uniforms,
-                                                std::span<const SignLevel> levels) {
+std::vector<Choice> choicesEverywhere(const TapeLinks& links, const IntervalEvaluator& everywhere,
+                                      std::span<const SignLevel> levels) {
+    const SignStakes signs{
+        levels, levels.empty() ? std::span<const std::uint32_t>() : std::span(links.whole().levelNumbers)};
+    std::vector<Choice> choices;
+    choices.reserve(links.whole().levelNumbers.size());
+    for (const Instruction& instruction : links.tape().instructions()) {
+        if (!isChoice(instruction.operation)) continue;
+        std::array<Interval, 4> operands;
+        for (std::size_t k = 0; k < instruction.operandCount; ++k)
+            operands[k] = everywhere.operandRange(instruction.number, static_cast<int>(k));
+        Choice choice = decidedEverywhere(instruction.operation, operands[0], operands[1]);
+        if (choice == Choice::open)
+            if (const SignLevel* level = signs.of(choices.size()))
+                choice = decidedFor(*level, links.tape(), instruction,
+                                    std::span(operands).first(instruction.operandCount));
+        choices.push_back(choice);
+    }
+    return choices;
+}
+
+std::vector<TapeApproximation> approximationsOf(const TapeLinks& links, std::span<const Choice> choices,
+                                                const IntervalEvaluator& everywhere,
+                                                const UniformValues& uniforms) {
     if (!links.tape().loops().empty()) return {};
-    return TapeApproximator(links, everywhere, uniforms, levels).run();
+    return TapeApproximator(links, everywhere, uniforms).run(choices);
 }
 
 }  // namespace isoscope

@@ -23,15 +23,20 @@ struct TapeApproximation {
     double error = 0;   ///< the function is no further than this from the sum of both
 };
 
-/// Approximations of the tape's first result, in real arithmetic: first one without error, then coarser ones,
-/// each a good deal cheaper than the one before. `everywhere` has just enclosed the tape for all arguments
-/// there may be, with these uniform values. At most mostApproximations; none for tapes with loops.
+/// What is decided wherever the point is, one entry for each choosing instruction of the tape, as
+/// TapeSimplifier wants them. `everywhere` has just enclosed the tape for all arguments there may be.
 ///
-/// With `levels` (TapeLinks::levels() for a threshold) they approximate another function, which is above the
+/// With `levels` (TapeLinks::levels() for a threshold) they make another function, which is above the
 /// threshold where this one is, and below where this one is, in doubles: cases that are all on one side of
 /// the threshold are one.
-std::vector<TapeApproximation> approximationsOf(const TapeLinks& links, const IntervalEvaluator& everywhere,
-                                                const UniformValues& uniforms,
-                                                std::span<const SignLevel> levels = {});
+std::vector<Choice> choicesEverywhere(const TapeLinks& links, const IntervalEvaluator& everywhere,
+                                      std::span<const SignLevel> levels = {});
+
+/// Approximations of the tape's first result with these choices, in real arithmetic: first one without error,
+/// then coarser ones, each a good deal cheaper than the one before. `everywhere` is as for the choices, with
+/// these uniform values. At most mostApproximations; none for tapes with loops.
+std::vector<TapeApproximation> approximationsOf(const TapeLinks& links, std::span<const Choice> choices,
+                                                const IntervalEvaluator& everywhere,
+                                                const UniformValues& uniforms);
 
 }  // namespace isoscope

@@ -10,12 +10,15 @@ namespace {
 
 using Value = SimplifiedTape::Value;
 
+constexpr std::size_t wordBits = 64;
+
 }  // namespace
 
 TapeLinks::TapeLinks(const Tape& tape) : tape_(tape) {
     linkWhole();
     findLevels();
     leastLength_ = countLeast();
+    findChains();
 }
 
 /// Follows the values through the slots, which the tape uses again and again.
@@ -23,6 +26,7 @@ void TapeLinks::linkWhole() {
     whole_.instructions.assign(tape_.instructions().begin(), tape_.instructions().end());
     std::vector<Value> current(tape_.slotCount());
     for (Slot slot = 0; slot < current.size(); ++slot) current[slot] = SimplifiedTape::fixed | slot;
+    whole_.links.reserve(whole_.instructions.size());
     for (std::uint32_t i = 0; i < whole_.instructions.size(); ++i) {
         const Instruction& instruction = whole_.instructions[i];
         SimplifiedTape::Link& link = whole_.links.emplace_back();
@@ -53,6 +57,42 @@ std::size_t TapeLinks::countLeast() const {
             need(whole_.links[i].operands[k]);
     }
     return length;
+}
+
+void TapeLinks::findChains() {
+    const std::size_t count = whole_.levelNumbers.size();
+    constexpr std::uint32_t none = ~std::uint32_t{0};
+    std::vector<std::uint32_t> instructions, next(count, none);
+    std::vector<int> leadingOperand(count, -1);
+    for (std::uint32_t i = 0; instructions.size() < count; ++i) {
+        const Operation operation = whole_.instructions[i].operation;
+        if (!isChoice(operation)) continue;
+        const auto choice = static_cast<std::uint32_t>(instructions.size());
+        instructions.push_back(i);
+        for (int k = 0; k < whole_.instructions[i].operandCount && !isSelect(operation); ++k) {
+            const Value value = whole_.links[i].operands[static_cast<std::size_t>(k)];
+            if (SimplifiedTape::isFixed(value) || !isChoice(whole_.instructions[value].operation)) continue;
+            std::uint32_t& after = next[whole_.links[value].choice];
+            if (after != none) continue;
+            after = choice;
+            leadingOperand[choice] = k;
+            break;
+        }
+    }
+    chains_.places.resize(count);
+    chains_.leadsByFirst.resize(count / wordBits + 1);
+    chains_.leadsBySecond.resize(count / wordBits + 1);
+    for (std::uint32_t first = 0; first < count; ++first) {
+        if (leadingOperand[first] >= 0) continue;
+        for (std::uint32_t choice = first; choice != none; choice = next[choice]) {
+            const std::size_t place = chains_.instructions.size();
+            chains_.places[choice] = static_cast<std::uint32_t>(place);
+            chains_.instructions.push_back(instructions[choice]);
+            const std::uint64_t bit = std::uint64_t(1) << place % wordBits;
+            if (leadingOperand[choice] == 0) chains_.leadsByFirst[place / wordBits] |= bit;
+            if (leadingOperand[choice] == 1) chains_.leadsBySecond[place / wordBits] |= bit;
+        }
+    }
 }
 
 /// From the result backwards, along values that are used but once: another user might need all of them.

@@ -29,6 +29,16 @@ class TapeLinks {
     /// whatever min, max and select choose.
     std::size_t leastLength() const { return leastLength_; }
 
+    /// An order of the choosing instructions in which those of a chain, min(min(min(a, b), c), d), stand side
+    /// by side, so that a search for what is left of a long union passes many at once.
+    struct Chains {
+        std::vector<std::uint32_t> places;        ///< of each choosing instruction, by its number
+        std::vector<std::uint32_t> instructions;  ///< place by place
+        /// A bit for each place: whether the first, or the second, operand is what stands one place before.
+        std::vector<std::uint64_t> leadsByFirst, leadsBySecond;
+    };
+    const Chains& chains() const { return chains_; }
+
   private:
     /// A level, by another one: what `operation` is compared with, of whose operands one is the value whose
     /// level this is, and the other one, if any, a uniform slot.
@@ -43,12 +53,14 @@ class TapeLinks {
     void findLevels();
     std::optional<LevelStep> levelStep(std::size_t instruction) const;
     std::size_t countLeast() const;
+    void findChains();
 
     const Tape& tape_;
     SimplifiedTape whole_;
     std::vector<SimplifiedTape::Value> results_;
     std::vector<LevelStep> levelSteps_;  ///< from number 2 on; number 1 is the threshold
     std::size_t leastLength_ = 0;
+    Chains chains_;
 };
 
 }  // namespace isoscope

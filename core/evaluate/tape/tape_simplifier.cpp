@@ -2,6 +2,7 @@
 #include "core/evaluate/tape/tape_simplifier.h"
 
 #include <bit>
+#include <utility>
 
 namespace isoscope {
 
@@ -24,30 +25,142 @@ bool becomesNegation(Operation operation, Choice choice) {
     return operation == Operation::absolute && choice == Choice::second;
 }
 
+using Value = SimplifiedTape::Value;
+
+/// What an instruction comes to, by the choices of a tape one by one: choose(k) of its k-th choosing one.
+template <class Choose>
+class Decisions {
+  public:
+    Decisions(const SimplifiedTape& tape, Choose choose) : tape_(tape), choose_(choose) {}
+
+    Choice of(Value value) const {
+        // Tapes with loops are not shortened.
+        return !tape_.levelNumbers.empty() && isChoice(tape_.instructions[value].operation)
+                   ? choose_(tape_.links[value].choice)
+                   : Choice::open;
+    }
+
+    /// What a value comes to if it is that of a decided choice.
+    Value follow(Value value) const {
+        while (!SimplifiedTape::isFixed(value)) {
+            const Value next = step(value);
+            if (next == value) break;
+            value = next;
+        }
+        return value;
+    }
+
+    /// The operand that an instruction comes to; itself where that is open.
+    Value step(Value value) const {
+        const Choice choice = of(value);
+        const Operation operation = tape_.instructions[value].operation;
+        if (choice == Choice::open || becomesNegation(operation, choice)) return value;
+        return tape_.links[value].operands[chosenOperand(operation, choice)];
+    }
+
+  private:
+    const SimplifiedTape& tape_;
+    Choose choose_;
+};
+
+/// The same for all of a tape, many links of a chain at once.
+class ChainDecisions {
+  public:
+    ChainDecisions(const TapeLinks& links, const DecidedChoices& choices)
+        : links_(links), chains_(links.chains()), choices_(choices) {}
+
+    /// The choices one by one.
+    auto plain() const {
+        return Decisions(links_.whole(),
+                         [this](std::uint32_t choice) { return choices_.of(chains_.places[choice]); });
+    }
+
+    Choice of(Value value) const { return plain().of(value); }
+
+    Value follow(Value value) const {
+        while (!SimplifiedTape::isFixed(value)) {
+            const SimplifiedTape& whole = links_.whole();
+            if (!isChoice(whole.instructions[value].operation)) break;
+            const std::uint32_t place = chains_.places[whole.links[value].choice];
+            const std::uint32_t end = endOfChain(place);
+            const Value next = end < place ? chains_.instructions[end] : plain().step(value);
+            if (next == value) break;
+            value = next;
+        }
+        return value;
+    }
+
+  private:
+    /// The last place before which decided choices lead, from this one on.
+    std::uint32_t endOfChain(std::uint32_t place) const {
+        std::size_t word = place / wordBits;
+        const auto ends = [&] {
+            return ~((choices_.first[word] & chains_.leadsByFirst[word]) |
+                     (choices_.second[word] & chains_.leadsBySecond[word]));
+        };
+        // Nothing leads beyond the first place of all.
+        std::uint64_t found = ends() & (~std::uint64_t(0) >> (wordBits - 1 - place % wordBits));
+        while (found == 0) {
+            --word;
+            found = ends();
+        }
+        return static_cast<std::uint32_t>(word * wordBits) +
+               static_cast<std::uint32_t>(std::bit_width(found)) - 1;
+    }
+
+    const TapeLinks& links_;
+    const TapeLinks::Chains& chains_;
+    const DecidedChoices& choices_;
+};
+
 }  // namespace
+
+Choice DecidedChoices::of(std::uint32_t place) const {
+    const std::uint64_t bit = std::uint64_t(1) << place % wordBits;
+    if ((first[place / wordBits] & bit) != 0) return Choice::first;
+    return (second[place / wordBits] & bit) != 0 ? Choice::second : Choice::open;
+}
+
+void DecidedChoices::reset(const TapeLinks& links) {
+    first.assign(links.chains().leadsByFirst.size(), 0);
+    second.assign(first.size(), 0);
+}
+
+void DecidedChoices::add(std::span<const std::uint32_t> places, std::span<const LaneChoices> choices,
+                         std::uint64_t lanes) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const std::size_t word = places[k] / wordBits;
+        const std::uint64_t bit = std::uint64_t(1) << places[k] % wordBits;
+        const Choice choice = choices[k].ofAll(lanes);
+        if (choice == Choice::first) first[word] |= bit;
+        if (choice == Choice::second) second[word] |= bit;
+    }
+}
 
 void TapeSimplifier::simplify(std::span<const Choice> choices, std::size_t result,
                               SimplifiedTape& simplifiedTape) {
-    shortenBy([choices](std::uint32_t choice) { return choices[choice]; }, result, simplifiedTape);
+    shortenBy(Decisions(*base_, [choices](std::uint32_t choice) { return choices[choice]; }), result,
+              simplifiedTape);
 }
 
 void TapeSimplifier::simplify(std::span<const LaneChoices> choices, std::uint64_t lanes, std::size_t result,
                               SimplifiedTape& simplifiedTape) {
-    shortenBy([choices, lanes](std::uint32_t choice) { return choices[choice].ofAll(lanes); }, result,
-              simplifiedTape);
+    const auto ofLanes = [choices, lanes](std::uint32_t choice) { return choices[choice].ofAll(lanes); };
+    shortenBy(Decisions(*base_, ofLanes), result, simplifiedTape);
 }
 
-template <class Choose>
-void TapeSimplifier::shortenBy(Choose choose, std::size_t result, SimplifiedTape& simplifiedTape) {
+void TapeSimplifier::simplify(const DecidedChoices& choices, SimplifiedTape& simplifiedTape) {
+    const SimplifiedTape* const base = std::exchange(base_, &links_.whole());
+    shortenBy(ChainDecisions(links_, choices), 0, simplifiedTape);
+    base_ = base;
+}
+
+template <class Decided>
+void TapeSimplifier::shortenBy(const Decided& decisions, std::size_t result, SimplifiedTape& simplifiedTape) {
     makeRoom();
-    const auto chosen = [&](std::uint32_t i) {
-        return choiceCount() > 0 && isChoice(base_->instructions[i].operation)
-                   ? choose(base_->links[i].choice)
-                   : Choice::open;
-    };
     const Value value =
-        follow(base_ == &links_.whole() ? links_.results()[result] : base_->resultValue, chosen);
-    markNeeded(value, chosen);
+        decisions.follow(base_ == &links_.whole() ? links_.results()[result] : base_->resultValue);
+    markNeeded(value, decisions);
     assignSlots(simplifiedTape);
     simplifiedTape.resultValue = SimplifiedTape::isFixed(value) ? value : numbers_[value];
     simplifiedTape.result = SimplifiedTape::isFixed(value) ? value - SimplifiedTape::fixed : slots_[value];
@@ -64,18 +177,6 @@ void TapeSimplifier::makeRoom() {
     slots_.resize(count);
 }
 
-/// What a value comes to if it is that of a decided choice.
-template <class Choose>
-TapeSimplifier::Value TapeSimplifier::follow(Value value, Choose choose) const {
-    while (!SimplifiedTape::isFixed(value)) {
-        const Choice choice = choose(value);
-        const Operation operation = base_->instructions[value].operation;
-        if (choice == Choice::open || becomesNegation(operation, choice)) break;
-        value = base_->links[value].operands[chosenOperand(operation, choice)];
-    }
-    return value;
-}
-
 void TapeSimplifier::need(Value value, std::uint32_t user) {
     if (SimplifiedTape::isFixed(value)) return;
     std::uint64_t& word = needed_[value / wordBits];
@@ -85,8 +186,8 @@ void TapeSimplifier::need(Value value, std::uint32_t user) {
     word |= bit;
 }
 
-template <class Choose>
-void TapeSimplifier::markNeeded(Value result, Choose choose) {
+template <class Decided>
+void TapeSimplifier::markNeeded(Value result, const Decided& decisions) {
     const auto end = static_cast<std::uint32_t>(base_->instructions.size());
     std::fill_n(needed_.begin(), end / wordBits + 1, 0);
     need(result, end);
@@ -97,9 +198,9 @@ void TapeSimplifier::markNeeded(Value result, Choose choose) {
             below = (std::uint64_t(1) << bit) - 1;
             const auto i = static_cast<std::uint32_t>(word * wordBits) + static_cast<std::uint32_t>(bit);
             const Instruction& instruction = base_->instructions[i];
-            flipped_[i] = becomesNegation(instruction.operation, choose(i));
+            flipped_[i] = becomesNegation(instruction.operation, decisions.of(i));
             for (std::size_t k = 0; k < instruction.operandCount; ++k) {
-                operands_[i][k] = follow(base_->links[i].operands[k], choose);
+                operands_[i][k] = decisions.follow(base_->links[i].operands[k]);
                 need(operands_[i][k], i);
             }
         }

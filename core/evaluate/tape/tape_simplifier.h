@@ -12,6 +12,19 @@
 
 namespace isoscope {
 
+/// Which choosing instructions of a tape are decided, a bit for each of their places (TapeLinks::Chains).
+struct DecidedChoices {
+    std::vector<std::uint64_t> first, second;
+
+    Choice of(std::uint32_t place) const;
+    /// None.
+    void reset(const TapeLinks& links);
+    /// Those, too, that some lanes (a bit for each) have in common in `choices`, those of the choosing
+    /// instructions at `places`.
+    void add(std::span<const std::uint32_t> places, std::span<const LaneChoices> choices,
+             std::uint64_t lanes);
+};
+
 /// Leaves out of a tape what decided choices make superfluous. After Duff, "Interval arithmetic and recursive
 /// subdivision for implicit functions and constructive solid geometry" (1992). One object per thread.
 class TapeSimplifier {
@@ -35,18 +48,18 @@ class TapeSimplifier {
     /// The same for the choices that some lanes (a bit for each) have in common.
     void simplify(std::span<const LaneChoices> choices, std::uint64_t lanes, std::size_t result,
                   SimplifiedTape& simplifiedTape);
+    /// The same for choices of the whole tape, whatever the base is, and its first result.
+    void simplify(const DecidedChoices& choices, SimplifiedTape& simplifiedTape);
 
   private:
     using Value = SimplifiedTape::Value;
 
     void makeRoom();
-    template <class Choose>
-    void shortenBy(Choose choose, std::size_t result, SimplifiedTape& simplifiedTape);
-    template <class Choose>
-    Value follow(Value value, Choose choose) const;
+    template <class Decided>
+    void shortenBy(const Decided& decisions, std::size_t result, SimplifiedTape& simplifiedTape);
     void need(Value value, std::uint32_t user);
-    template <class Choose>
-    void markNeeded(Value result, Choose choose);
+    template <class Decided>
+    void markNeeded(Value result, const Decided& decisions);
     void assignSlots(SimplifiedTape& simplifiedTape);
     void append(std::uint32_t source, SimplifiedTape& simplifiedTape);
 

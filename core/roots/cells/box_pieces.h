@@ -39,15 +39,13 @@ class BoxPieces {
     const std::vector<LaneChoices>& choices() const { return choices_; }
     /// The tape that holds in all of these enclosed boxes (a bit for each).
     void simplify(std::uint64_t lanes, SimplifiedTape& simplifiedTape) {
-        simplify(choices_, lanes, simplifiedTape);
+        simplifier_.simplify(choices_, lanes, 0, simplifiedTape);
+        countSimplified(simplifiedTape);
     }
-    /// The same by choices() of an earlier enclosure.
-    void simplify(const std::vector<LaneChoices>& choices, std::uint64_t lanes,
-                  SimplifiedTape& simplifiedTape) {
-        simplifier_.simplify(choices, lanes, 0, simplifiedTape);
-        // One that is kept costs about as much as its enclosure in so many boxes.
-        constexpr std::size_t boxes = 16;
-        work_ += boxes * simplifiedTape.instructions.size();
+    /// What is left of the function by choices of its whole tape.
+    void simplify(const DecidedChoices& choices, SimplifiedTape& simplifiedTape) {
+        simplifier_.simplify(choices, simplifiedTape);
+        countSimplified(simplifiedTape);
     }
 
     /// Boxes enclosed so far.
@@ -56,6 +54,12 @@ class BoxPieces {
     std::uint64_t work() const { return work_; }
 
   private:
+    /// To make one costs about as much as its enclosure in so many boxes.
+    void countSimplified(const SimplifiedTape& tape) {
+        constexpr std::size_t boxes = 16;
+        work_ += boxes * tape.instructions.size();
+    }
+
     const RootSettings& settings_;
     BoxEvaluator boxes_;
     TapeSimplifier simplifier_;

@@ -46,7 +46,6 @@ CellMarch::CellMarch(const PreparedFunction& function, const Tools& tools)
 CellMarch::Outcome CellMarch::run(const LineColumns& lines, double sufficient, const std::stop_token& stop,
                                   FirstRoots& roots) {
     rest_.clear();
-    unsettled_.clear();
     const auto bundle = LineBundle::around(lines, 0, lines.count);
     if (!bundle) return Outcome::nothingAsked;
     tree_.begin(*bundle);
@@ -226,7 +225,22 @@ void CellMarch::takeResults(MarchKernel::Results& found, const LineColumns& line
         close(line.line, tile);
     }
     tools_.polish.run(found.crossings, roots, &tape);
-    unsettled_.insert(unsettled_.end(), tools_.polish.unsettled().begin(), tools_.polish.unsettled().end());
+    if (!tools_.polish.unsettled().empty()) settle(lines, tape, roots);
+}
+
+/// The crossings that the polish has left, by point values.
+void CellMarch::settle(const LineColumns& lines, const SimplifiedTape& tape, FirstRoots& roots) {
+    rough_.clear();
+    queries_.clear();
+    lists_.clear();
+    for (const NewtonPolish::Unsettled& crossing : tools_.polish.unsettled()) {
+        rough_.push_back({rough_.size(), 0, crossing.low, crossing.high, crossing.steepness, 1});
+        queries_.push_back(lines[crossing.line]);
+        lists_.push_back({{crossing.low + (crossing.high - crossing.low) / 2, RootKind::crossing}});
+    }
+    tools_.fallback.run(rough_, queries_, lists_, &tape);
+    for (std::size_t k = 0; k < lists_.size(); ++k)
+        roots.others.push_back({tools_.polish.unsettled()[k].line, lists_[k].front()});
 }
 
 /// Nothing more is to be found out about the line.

@@ -13,6 +13,7 @@
 #include "core/roots/certified/line_bundle.h"
 #include "core/roots/certified/newton_polish.h"
 #include "core/roots/certified/march_kernel.h"
+#include "core/roots/certified/root_polish.h"
 #include "core/roots/cells/short_tapes.h"
 #include "core/roots/first_roots.h"
 
@@ -35,6 +36,7 @@ class CellMarch {
         AffineEvaluator& forms;
         MarchKernel& march;
         NewtonPolish& polish;
+        RootPolish& fallback;  ///< for what the first leaves
     };
 
     /// `function` is what the tools evaluate; it must outlive the march.
@@ -43,24 +45,22 @@ class CellMarch {
     /// Whether the tape can become short at all.
     bool worthwhile() const { return shortTapes_.possible(); }
 
-    /// What became of a run. Unless it is `done`, roots, rest() and unsettled() tell nothing, and the caller
-    /// searches the lines otherwise.
+    /// What became of a run. Unless it is `done`, roots and rest() tell nothing, and the caller searches the
+    /// lines otherwise.
     enum class Outcome {
         nothingAsked,  ///< all lines are empty, or have nothing in common
         vain,          ///< tapes do not become short enough to be worth their making
         done
     };
 
-    /// The first roots of lines of which nothing is known. Lines that are neither in `roots` nor in the lists
-    /// below have none.
+    /// The first roots of lines of which nothing is known. Lines that are neither in `roots` nor in rest()
+    /// have none.
     Outcome run(const LineColumns& lines, double sufficient, const std::stop_token& stop, FirstRoots& roots);
 
     /// Lines searched by a run that was done.
     std::size_t searched() const { return searched_; }
-    /// What the last run has left over: lines to be searched further by the whole tape, and crossings for
-    /// which the polish has not settled.
+    /// What the last run has left over: lines to be searched further by the whole tape.
     const std::vector<MarchKernel::Line>& rest() const { return rest_; }
-    const std::vector<NewtonPolish::Unsettled>& unsettled() const { return unsettled_; }
 
   private:
     struct Tile {
@@ -88,6 +88,7 @@ class CellMarch {
                double sufficient, FirstRoots& roots);
     void takeResults(MarchKernel::Results& found, const LineColumns& lines, Tile& tile,
                      const SimplifiedTape& tape, FirstRoots& roots);
+    void settle(const LineColumns& lines, const SimplifiedTape& tape, FirstRoots& roots);
     std::uint64_t work() const { return work_ + tree_.work() + pieces_.work(); }
     void close(std::size_t line, Tile& tile);
 
@@ -103,7 +104,10 @@ class CellMarch {
     std::size_t searched_ = 0;
     std::uint64_t work_ = 0;  ///< of marches: so many instructions for one line
     std::vector<MarchKernel::Line> rest_;
-    std::vector<NewtonPolish::Unsettled> unsettled_;
+    // Of crossings that the first polish leaves.
+    std::vector<RoughRoot> rough_;
+    std::vector<LineQuery> queries_;
+    std::vector<RootList> lists_;
 };
 
 }  // namespace isoscope

@@ -21,8 +21,11 @@ constexpr int deepest = 16;
 constexpr std::size_t parts = 2, partsOfRoot = 4;
 /// A bundle takes up at most this part of what is free around a cell in its box.
 constexpr double widestPart = 0.75;
-/// Of all cells, about 50 bytes each.
-constexpr std::size_t mostInstructions = 1 << 20;
+/// Of the tapes that are kept, about 50 bytes each. Memory that is touched for the first time costs more than
+/// what is made anew in memory that is there.
+constexpr std::size_t mostInstructions = 1 << 16;
+/// Of all cells, some hundred bytes each.
+constexpr std::size_t mostCells = 1 << 17;
 
 double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
@@ -42,16 +45,12 @@ bool holds(const LineRegion& region, const LineRegion& other) {
 
 bool same(const LineRegion& a, const LineRegion& b) { return a.low == b.low && a.high == b.high; }
 
-/// The cell all others are in, a cube around the region.
-CellTree::Cell rootOf(const LineRegion& region) {
-    CellTree::Cell root;
-    root.center = 0.5 * (region.low + region.high);
-    root.halfWidth = largest(region.high - region.low);
-    return root;
-}
+/// Half the width of the box of the cell that all others are in, a cube around the region.
+double halfWidthOf(const LineRegion& region) { return largest(region.high - region.low); }
 
-LineRegion boxOf(const CellTree::Cell& cell) {
-    return {cell.center - cell.halfWidth, cell.center + cell.halfWidth};
+LineRegion rootBox(const LineRegion& region) {
+    const glm::dvec3 center = 0.5 * (region.low + region.high);
+    return {center - halfWidthOf(region), center + halfWidthOf(region)};
 }
 
 }  // namespace
@@ -68,21 +67,27 @@ double CellTree::Cell::exit(const LineBundle& bundle) const {
 }
 
 CellTree::CellTree(const PreparedFunction& function, const RootSettings& settings)
-    : settings_(settings), whole_(function.links().whole()), boxes_(function, settings) {}
+    : settings_(settings), links_(function.links()), boxes_(function, settings) {}
 
 void CellTree::begin(const LineBundle& bundle) {
     const LineRegion reached = regionOf(bundle);
-    const bool usual = settings_.region && holds(boxOf(rootOf(*settings_.region)), reached);
+    const bool usual = settings_.region && holds(rootBox(*settings_.region), reached);
     const LineRegion& region = usual ? *settings_.region : reached;
-    if (!cells_.empty() && instructions_ <= mostInstructions && same(region, region_)) return;
+    if (!cells_.empty() && cells_.size() <= mostCells && same(region, region_)) return;
     region_ = region;
     instructions_ = 0;
+    madeFor_ = nullptr;
+    kept_.clear();
     cells_.clear();
-    cells_.push_back(rootOf(region));
-    cells_.front().tape = &whole_;
+    Cell& root = cells_.emplace_back();
+    root.center = 0.5 * (region.low + region.high);
+    root.halfWidth = halfWidthOf(region);
+    root.tape = &links_.whole();
+    root.length = root.tape->instructions.size();
 }
 
 const CellTree::Cell& CellTree::find(const LineBundle& bundle, double t) {
+    if (instructions_ > mostInstructions) dropTapes();
     const glm::dvec3 center = bundle.origin + t * bundle.direction;
     const double reach = largest(bundle.originSpread + t * bundle.directionSpread);
     Cell* cell = &cells_.front();
@@ -94,50 +99,107 @@ const CellTree::Cell& CellTree::find(const LineBundle& bundle, double t) {
     // Somewhat ahead, so that the way is long.
     const double free = std::max(0.0, 0.5 * parts * width - reach);
     const glm::dvec3 place = center + free / largest(glm::abs(bundle.direction)) * bundle.direction;
-    while (levels-- > 0 && cell->sign == 0 && cell->tape->instructions.size() > shortTape) {
+    while (levels-- > 0 && cell->sign == 0 && isLong(*cell)) {
         const std::size_t count = cell == &cells_.front() ? partsOfRoot : parts;
-        if (cell->children.empty()) divide(*cell);
+        if (!cell->division) divide(*cell);
         std::size_t child = 0;
         for (int axis = 0; axis < 3; ++axis) {
             const double along = (place[axis] - cell->center[axis]) / cell->halfWidth + 0.5;
             child = child * count + static_cast<std::size_t>(std::clamp(along * static_cast<double>(count),
                                                                         0.0, static_cast<double>(count - 1)));
         }
-        Cell* const next = cell->children[child];
+        Cell* const next = cell->division->children[child];
         if (largest(glm::abs(center - next->center)) + reach >= next->halfWidth) break;
-        if (next->sign <= 0 && next->tape == nullptr) shorten(*cell, child);
         cell = next;
     }
+    if (cell->sign <= 0) keepTape(*cell);
     return *cell;
 }
 
 void CellTree::divide(Cell& cell) {
+    const SimplifiedTape& tape = tapeOf(cell);
     const std::size_t count = &cell == &cells_.front() ? partsOfRoot : parts;
-    cell.children.resize(count * count * count);
     const double width = cell.halfWidth / static_cast<double>(count);
-    for (std::size_t child = 0; child < cell.children.size(); ++child) {
+    cell.division = std::make_unique<Division>();
+    Division& division = *cell.division;
+    division.children.resize(count * count * count);
+    for (std::size_t child = 0; child < division.children.size(); ++child) {
         Cell& made = cells_.emplace_back();
-        cell.children[child] = &made;
+        division.children[child] = &made;
         const std::array<std::size_t, 3> number{child / count / count, child / count % count, child % count};
         for (int axis = 0; axis < 3; ++axis)
             made.center[axis] = cell.center[axis] - 0.5 * cell.halfWidth +
                                 (static_cast<double>(number[static_cast<std::size_t>(axis)]) + 0.5) * width;
         made.halfWidth = width;
+        made.parent = &cell;
+        made.number = child;
         boxes_.place(made.center, glm::dvec3(width), child);
     }
-    boxes_.setBase(*cell.tape);
-    boxes_.enclose(cell.children.size());
-    cell.choices = boxes_.choices();
-    for (std::size_t child = 0; child < cell.children.size(); ++child)
-        cell.children[child]->sign = boxes_.sign(child);
+    boxes_.setBase(tape);
+    boxes_.enclose(division.children.size());
+    for (std::size_t child = 0; child < division.children.size(); ++child)
+        division.children[child]->sign = boxes_.sign(child);
+    division.choices = boxes_.choices();
+    division.places.reserve(division.choices.size());
+    for (const Instruction& instruction : tape.instructions)
+        if (isChoice(instruction.operation))
+            division.places.push_back(
+                links_.chains().places[links_.whole().links[instruction.number].choice]);
+    decide(cell, division.decided);
 }
 
-void CellTree::shorten(const Cell& parent, std::size_t child) {
-    Cell& cell = *parent.children[child];
-    boxes_.setBase(*parent.tape);
-    boxes_.simplify(parent.choices, std::uint64_t(1) << child, cell.ownTape);
-    cell.tape = &cell.ownTape;
-    instructions_ += cell.ownTape.instructions.size();
+/// What is decided all over the box of a cell.
+void CellTree::decide(const Cell& cell, DecidedChoices& decided) const {
+    if (cell.parent == nullptr) return decided.reset(links_);
+    const Division& division = *cell.parent->division;
+    decided = division.decided;
+    decided.add(division.places, division.choices, std::uint64_t(1) << cell.number);
+}
+
+void CellTree::makeTape(Cell& cell, SimplifiedTape& tape) {
+    decide(cell, decided_);
+    boxes_.simplify(decided_, tape);
+    cell.length = tape.instructions.size();
+}
+
+/// The tape of a cell, valid until that of another one is asked for.
+const SimplifiedTape& CellTree::tapeOf(Cell& cell) {
+    if (cell.tape != nullptr) return *cell.tape;
+    if (madeFor_ != &cell) makeTape(cell, made_);
+    madeFor_ = &cell;
+    return made_;
+}
+
+bool CellTree::isLong(Cell& cell) {
+    if (!cell.length) tapeOf(cell);
+    return *cell.length > shortTape;
+}
+
+void CellTree::keepTape(Cell& cell) {
+    cell.lastUse = ++uses_;
+    if (cell.tape != nullptr) return;
+    auto tape = std::make_unique<SimplifiedTape>();
+    if (madeFor_ == &cell)
+        *tape = made_;
+    else
+        makeTape(cell, *tape);
+    cell.ownTape = std::move(tape);
+    cell.tape = cell.ownTape.get();
+    instructions_ += *cell.length;
+    kept_.push_back(&cell);
+}
+
+/// Of the tapes that are kept, the half that was not used for longest; they can be made again.
+void CellTree::dropTapes() {
+    const auto middle = kept_.begin() + static_cast<std::ptrdiff_t>(kept_.size() / 2);
+    std::nth_element(kept_.begin(), middle, kept_.end(),
+                     [](const Cell* a, const Cell* b) { return a->lastUse > b->lastUse; });
+    for (auto cell = middle; cell != kept_.end(); ++cell) {
+        instructions_ -= *(*cell)->length;
+        (*cell)->tape = nullptr;
+        (*cell)->ownTape.reset();
+    }
+    kept_.erase(middle, kept_.end());
 }
 
 }  // namespace isoscope

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <deque>
 #include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/roots/cells/box_pieces.h"
@@ -22,17 +24,27 @@ class PreparedFunction;
 /// that one of them holds a bundle wherever it is: Ulrich, "Loose octrees" (2000).
 class CellTree {
   public:
+    struct Cell;
+    /// What a cell is cut into.
+    struct Division {
+        std::vector<Cell*> children;
+        DecidedChoices decided;             ///< all over the box of the cell
+        std::vector<LaneChoices> choices;   ///< what else is decided in each of the children,
+        std::vector<std::uint32_t> places;  ///< and the places of these choices
+    };
     /// A cell with a box around it.
     struct Cell {
         glm::dvec3 center{0};
         double halfWidth = 0;  ///< of the box
         double sign = 0;       ///< the certain sign of the function all over it, negative inside, or 0
-        /// Holds all over the box; null where the sign is positive.
+        /// Holds all over the box. Null where the sign is positive, and while nothing asks for it.
         const SimplifiedTape* tape = nullptr;
-
-        SimplifiedTape ownTape;
-        std::vector<Cell*> children;       ///< none until they are asked for
-        std::vector<LaneChoices> choices;  ///< what is decided in each of them
+        std::unique_ptr<const SimplifiedTape> ownTape;
+        std::optional<std::size_t> length;  ///< of its tape, once it was made
+        std::uint64_t lastUse = 0;
+        const Cell* parent = nullptr;
+        std::size_t number = 0;  ///< among the children of its parent
+        std::unique_ptr<Division> division;
 
         /// Up to which t a bundle that is in the box at some t stays in it, at most to its end.
         double exit(const LineBundle& bundle) const;
@@ -46,11 +58,12 @@ class CellTree {
     void begin(const LineBundle& bundle);
 
     /// A cell whose box holds the bundle at `t`: the smallest one such that the bundle has some way to go in
-    /// it, or a larger one whose tape is short or whose sign is certain. Valid until begin().
+    /// it, or a larger one whose tape is short or whose sign is certain. Valid until the next one is asked
+    /// for.
     const Cell& find(const LineBundle& bundle, double t);
 
     /// The tape that holds everywhere.
-    const SimplifiedTape& whole() const { return whole_; }
+    const SimplifiedTape& whole() const { return links_.whole(); }
     /// Boxes enclosed so far.
     std::uint64_t evaluations() const { return boxes_.evaluations(); }
     /// BoxPieces::work() so far.
@@ -58,14 +71,24 @@ class CellTree {
 
   private:
     void divide(Cell& cell);
-    void shorten(const Cell& parent, std::size_t child);
+    void decide(const Cell& cell, DecidedChoices& decided) const;
+    const SimplifiedTape& tapeOf(Cell& cell);
+    bool isLong(Cell& cell);
+    void makeTape(Cell& cell, SimplifiedTape& tape);
+    void keepTape(Cell& cell);
+    void dropTapes();
 
     const RootSettings& settings_;
-    const SimplifiedTape& whole_;
+    const TapeLinks& links_;
     BoxPieces boxes_;
     LineRegion region_;
-    std::deque<Cell> cells_;        ///< the root first
-    std::size_t instructions_ = 0;  ///< of all cells
+    std::deque<Cell> cells_;         ///< the root first
+    SimplifiedTape made_;            ///< that of one cell, which need not be kept
+    const Cell* madeFor_ = nullptr;  ///< that cell
+    DecidedChoices decided_;
+    std::vector<Cell*> kept_;       ///< cells that have a tape of their own
+    std::size_t instructions_ = 0;  ///< of these
+    std::uint64_t uses_ = 0;        ///< of these so far
 };
 
 }  // namespace isoscope

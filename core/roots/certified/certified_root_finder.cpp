@@ -34,7 +34,7 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const PreparedFunction>
       slabs_(*function_, {settings_, forms_, points_, budget}),
       march_(forms_, settings_),
       newton_(gradients_, settings_),
-      cells_(*function_, {settings_, forms_, march_, newton_}),
+      cells_(*function_, {settings_, forms_, march_, newton_, polish_}),
       sheets_(function_, points_, gradients_, settings_) {
     const Tape& tape = *function_->tape();
     if (!function_->cost().holdsNoise || !TaylorEvaluator::covers(tape)) return;
@@ -343,9 +343,10 @@ bool CertifiedRootFinder::findByCells(const LineColumns& lines, const RootReques
     const Verdict hit = Verdict::certifiedHit;
     roots.noteCrossings(hit, firstVerdicts_);
     for (const std::size_t line : roots.entryWalls) firstVerdicts_[line] = hit;
-    for (const NewtonPolish::Unsettled& crossing : cells_.unsettled()) firstVerdicts_[crossing.line] = hit;
+    for (const FirstRoots::Other& other : roots.others) firstVerdicts_[other.line] = hit;
     std::erase_if(roots.exitWalls, [&](std::size_t line) { return lines.far[line] < request.sufficient; });
-    findRest(lines, cells_.rest(), cells_.unsettled(), request, roots);
+    std::erase_if(roots.others, [&](const auto& other) { return other.root.t < request.sufficient; });
+    findRest(lines, cells_.rest(), {}, request, roots);
     return true;
 }
 

@@ -73,7 +73,8 @@ struct RootPolish::Bracket {
 };
 
 void RootPolish::run(std::span<const RoughRoot> rough, std::span<const LineQuery> queries,
-                     std::span<RootList> roots) {
+                     std::span<RootList> roots, const SimplifiedTape* simplifiedTape) {
+    simplifiedTape_ = simplifiedTape;
     unsettled_.clear();
     for (std::size_t first = 0; first < rough.size(); first += batchLanes)
         polishSmooth(rough.subspan(first, std::min(batchLanes, rough.size() - first)), queries, roots);
@@ -96,7 +97,10 @@ void RootPolish::evaluate(std::size_t count, const Lanes& t, Lanes& values) {
         for (std::size_t k = 0; k < batchLanes; ++k) place_[c][k] = origin_[c][k] + t[k] * direction_[c][k];
     const auto x = std::span(place_[0]).first(count), y = std::span(place_[1]).first(count);
     const auto z = std::span(place_[2]).first(count), out = std::span(values).first(count);
-    points_.evaluate(x, y, z, out);
+    if (simplifiedTape_ != nullptr)
+        points_.evaluate(x, y, z, out, *simplifiedTape_);
+    else
+        points_.evaluate(x, y, z, out);
     for (std::size_t k = 0; k < count; ++k) values[k] = settings_.signedValue(values[k]);
 }
 

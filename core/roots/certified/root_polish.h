@@ -33,8 +33,9 @@ class RootPolish {
     RootPolish(PointEvaluator& points, const RootSettings& settings) : points_(points), settings_(settings) {}
 
     /// Changes t and kind of roots[r.line][r.root] for each entry r of `rough`, and of no other root; r.line
-    /// counts `queries`.
-    void run(std::span<const RoughRoot> rough, std::span<const LineQuery> queries, std::span<RootList> roots);
+    /// counts `queries`. By `simplifiedTape`, if there is one, which has to hold in the intervals.
+    void run(std::span<const RoughRoot> rough, std::span<const LineQuery> queries, std::span<RootList> roots,
+             const SimplifiedTape* simplifiedTape = nullptr);
 
   private:
     using Lanes = std::array<double, batchLanes>;
@@ -59,6 +60,7 @@ class RootPolish {
 
     PointEvaluator& points_;
     const RootSettings& settings_;
+    const SimplifiedTape* simplifiedTape_ = nullptr;
     std::array<Lanes, 3> origin_{}, direction_{}, place_{};  ///< of the group at hand
     std::vector<Approach> bent_;
     std::vector<RoughRoot> unsettled_;
