@@ -37,6 +37,7 @@ class TapeLinks {
         /// A bit for each place: whether the first, or the second, operand is what stands one place before.
         std::vector<std::uint64_t> leadsByFirst, leadsBySecond;
     };
+    /// Of all choosing instructions; empty for tapes with loops.
     const Chains& chains() const { return chains_; }
 
   private:

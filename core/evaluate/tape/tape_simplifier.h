@@ -16,6 +16,7 @@ namespace isoscope {
 struct DecidedChoices {
     std::vector<std::uint64_t> first, second;
 
+    /// What is decided at a place.
     Choice of(std::uint32_t place) const;
     /// None.
     void reset(const TapeLinks& links);
