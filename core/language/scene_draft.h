@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,8 +24,9 @@ struct SceneDraft {
     /// In the order of the text; shapes are made of them at the end.
     std::vector<Entry> objects;
     std::size_t shapeCount = 0;
-    /// Materials of objects without one of their own; each #default adds one, and the last is in force.
-    std::vector<Material> defaultMaterials{Material{}};
+    /// Materials of objects without one of their own; each #default adds one, and the last is in force. A
+    /// #default within a texture leaves those in place that the texture began with.
+    std::deque<Material> defaultMaterials{Material{}};
     bool hasCamera = false;
 };
 
