@@ -17,6 +17,7 @@
 #include "app/desktop/window/actions.h"
 #include "app/desktop/window/docks.h"
 #include "tests/app/window_driver.h"
+#include "tests/app/test_folder.h"
 #include "widgets/editor/scene_editor.h"
 #include "widgets/gallery/gallery_model.h"
 #include "widgets/gallery/gallery_panel.h"
@@ -144,6 +145,18 @@ class GalleryWindowTest : public QObject {
         WindowDriver::trigger(d->actions()->startPage);
         QVERIFY(page->isVisible());
         d->editor()->undo();
+        QVERIFY(!page->isVisible());
+    }
+
+    /// A file that was opened by the menu, or dropped, used to stay behind the page.
+    void openingAFileLeavesTheStartPage() {
+        WindowDriver d;
+        TestFolder folder;
+        d->start({});
+        WindowDriver::trigger(d->actions()->startPage);
+        auto* page = d->findChild<StartPage*>();
+        QVERIFY(page->isVisible());
+        QVERIFY(d->openFile(folder.write(QStringLiteral("ball.pov"), "sphere { 0, 1 }\n")));
         QVERIFY(!page->isVisible());
     }
 

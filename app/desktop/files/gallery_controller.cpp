@@ -77,7 +77,8 @@ void GalleryController::showPage() {
         connect(page_, &StartPage::newRequested, parts_.documents, &DocumentController::newDocument);
         connect(page_, &StartPage::fileRequested, parts_.documents, &DocumentController::chooseAndOpen);
         connect(page_, &StartPage::lessonsRequested, this, &GalleryController::lessonsRequested);
-        // Who changes the scene wants to see it.
+        // Who changes the scene, or opens another one, wants to see it.
+        connect(parts_.documents, &DocumentController::begun, page_, &StartPage::leave);
         connect(parts_.editor, &SceneEditor::textEdited, page_, &StartPage::leave);
         connect(parts_.editor, &SceneEditor::numberReplaced, page_, &StartPage::leave);
     }
