@@ -95,7 +95,6 @@ const char* nameOf(RootKind kind) {
         case RootKind::crossing: return "crossing";
         case RootKind::jump: return "jump";
         case RootKind::pole: return "pole";
-        case RootKind::gap: return "gap";
         case RootKind::entryWall:
         case RootKind::exitWall: return "container";
     }
@@ -171,7 +170,6 @@ std::vector<std::string> fieldsOf(const std::string& id, const RowAnswer& answer
     std::string first = "miss", events;
     std::string kind = answer.verdict.empty() ? "miss" : answer.verdict;
     for (const Root& root : answer.roots) {
-        // A gap among the roots has opposite signs on its two sides: a crossing that rounding hides.
         const bool isSurface = root.kind != RootKind::pole;
         const double t = direction.tableT(root.t);
         if (first == "miss" && isSurface && t >= tMin) {

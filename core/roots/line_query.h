@@ -25,7 +25,6 @@ enum class RootKind : std::uint8_t {
     exitWall,   ///< the container where the line leaves it
     jump,
     pole,
-    gap,
 };
 
 /// Where a line meets a surface: at origin + t direction of its LineQuery.

@@ -9,7 +9,6 @@ const char* name(HitKind kind) {
         case HitKind::container: return "container";
         case HitKind::jump: return "jump";
         case HitKind::pole: return "pole";
-        case HitKind::gap: return "gap";
     }
     return "unknown";
 }

@@ -17,7 +17,6 @@ enum class HitKind : std::uint8_t {
     container,  ///< the wall of an isosurface's container
     jump,       ///< a sign change across a discontinuity
     pole,       ///< a sign change through infinity
-    gap,        ///< unresolved below a hundredth of the accuracy
 };
 
 /// The word for a kind in the output of `trace`, e.g. "crossing": static text.

@@ -21,7 +21,7 @@ namespace {
 const std::map<std::string, ProofRule> rules{
     {"form", ProofRule::form},     {"cases", ProofRule::cases},     {"undefined", ProofRule::undefined},
     {"passed", ProofRule::passed}, {"sampled", ProofRule::sampled}, {"crossing", ProofRule::crossing},
-    {"jump", ProofRule::jump},     {"pole", ProofRule::pole},       {"gap", ProofRule::gap}};
+    {"jump", ProofRule::jump},     {"pole", ProofRule::pole}};
 const std::map<std::string, Verdict> verdicts{{"certified-hit", Verdict::certifiedHit},
                                               {"certified-miss", Verdict::certifiedMiss},
                                               {"gap", Verdict::gap},

@@ -171,6 +171,31 @@ class CertifiedRootFinderTest : public QObject {
         QCOMPARE(answer.verdict, Verdict::gap);
     }
 
+    /// A bug once: where a function comes down to its threshold and stays there, as noise of the first
+    /// generator does, a surface was drawn, though nothing is inside. What is inside behind a plateau begins
+    /// where it ends, and what is outside where it begins.
+    void plateausAtTheThresholdAreOutside() {
+        const auto walled = [](auto x) { return max(abs(x) - 1, 0); };
+        const Answer touched =
+            ask(tapeOf([&](auto x, auto, auto) { return walled(x); }), along(), openSettings(0.001, 10));
+        QVERIFY(touched.roots.empty());
+        QCOMPARE(touched.verdict, Verdict::gap);
+        // 2 down to x = -1, 0 up to 0.5, then falling, and rising to a plateau that begins at 2.
+        const auto step =
+            tapeOf([&](auto x, auto, auto) { return max(-1 - x, 0) + min(max(0.5 - x, x - 2), 0); });
+        const Answer passed = ask(step, along(), openSettings(0.001, 10));
+        QCOMPARE(passed.roots.size(), std::size_t(2));
+        QVERIFY(std::abs(passed.roots[0].t + along().origin.x - 0.5) < 1e-6);
+        QVERIFY(std::abs(passed.roots[1].t + along().origin.x - 2) < 1e-6);
+        // A ball in a field that is 0 all around it: it was met somewhere on the way to it.
+        const auto ball = tapeOf([](auto x, auto y, auto) { return -max(0.5 - sqrt(sq(x) + sq(y)), 0); });
+        RootSettings closed;
+        closed.maxTrace = 10;
+        const Answer met = ask(ball, along(), closed);
+        QCOMPARE(met.roots.size(), std::size_t(2));
+        QVERIFY(std::abs(met.roots[0].t - 2.5) < 1e-6 && std::abs(met.roots[1].t - 3.5) < 1e-6);
+    }
+
     void fastWavesStayWithinTheBudget() {
         const auto tape = tapeOf([](auto x, auto, auto) { return sin(x * 1e6) + 1; });
         const Answer answer = ask(tape, along(), openSettings());

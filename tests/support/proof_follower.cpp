@@ -53,7 +53,7 @@ class Follower {
             QString problem;
             if (hasSign(step))
                 problem = checkClear(step);
-            else if (isSurface(step) && step.rule != ProofRule::gap)
+            else if (isSurface(step))
                 problem = checkChange(step);
             else if (step.rule == ProofRule::undefined)
                 problem = checkUndefined(step);

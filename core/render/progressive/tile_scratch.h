@@ -25,7 +25,7 @@ struct StageMeter {
 
 /// The slots of TileScratch::verdicts: with POV-Ray's root finder a HitKind or a miss, with the certified one
 /// its Verdict.
-constexpr std::size_t missCount = static_cast<std::size_t>(HitKind::gap) + 1;
+constexpr std::size_t missCount = static_cast<std::size_t>(HitKind::pole) + 1;
 constexpr std::size_t firstCertainty = missCount + 1;
 constexpr std::size_t verdictCount = firstCertainty + static_cast<std::size_t>(Verdict::notCertified) + 1;
 

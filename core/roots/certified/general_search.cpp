@@ -17,7 +17,8 @@ constexpr double unit = std::numeric_limits<double>::epsilon();
 /// of it (found by trial).
 constexpr double earlyParts = 2, lateParts = 16;
 
-int signOf(double a) { return a > 0 ? 1 : a < 0 ? -1 : 0; }
+/// -1 for a value inside, else 1: the threshold itself is outside.
+int sideOf(double value) { return value < 0 ? -1 : 1; }
 
 /// The distance along the line below which points cannot be told apart: 32 units of t, and a few of the
 /// coordinates.
@@ -69,10 +70,9 @@ std::optional<BracketedRoot> locateSignChange(int sign, double low, double high,
         const double middle = low + (high - low) / 2;
         if (!(low < middle && middle < high)) break;
         const double value = line.value(middle);
-        if (value == 0) return BracketedRoot{{middle, RootKind::crossing}, low, high, false};
         if (std::isnan(value)) return {};
         if (std::isinf(value)) return poleAt(middle);
-        if (signOf(value) == sign) {
+        if (sideOf(value) == sign) {
             low = middle;
             valueLow = std::abs(value);
         } else {
@@ -318,19 +318,14 @@ void GeneralSearch::sample(double end, int count, const Lane& lane, LineFunction
     for (int k = 0; k <= count && !done_; ++k) {
         const double t = k == count ? end : from + (end - from) * k / count;
         const double value = line.value(t);
-        const int sign = signOf(value);
-        if (known != 0 && sign == 0 && !std::isnan(value)) {
-            record({{t, RootKind::gap}, place, t, false});
-            known = 0;
-            entering_ = false;
-        } else if (sign != 0) {
-            if (known == -sign)
-                settleFlip(-sign, place, t, line);
-            else if (known == 0)
-                firstSign(sign, t, lane, line);
-            known = sign;
-            place = t;
-        }
+        if (std::isnan(value)) continue;
+        const int sign = sideOf(value);
+        if (known == -sign)
+            settleFlip(-sign, place, t, line);
+        else if (known == 0)
+            firstSign(sign, t, lane, line);
+        known = sign;
+        place = t;
     }
 }
 
@@ -345,7 +340,7 @@ void GeneralSearch::finishAtEnd(const Lane& lane, LineFunction& line) {
         sample(far_, blurSamples, lane, line);
     } else if (lane[&MarchLanes::sign] != 0 && lane[&MarchLanes::signPlace] < far_) {
         const int known = lane[&MarchLanes::sign] > 0 ? 1 : -1;
-        if (signOf(line.value(far_)) == -known) settleFlip(known, lane[&MarchLanes::signPlace], far_, line);
+        if (known * line.value(far_) < 0) settleFlip(known, lane[&MarchLanes::signPlace], far_, line);
     }
     done_ = true;
 }

@@ -49,9 +49,9 @@ std::optional<BracketedRoot> locateSignChange(int sign, double low, double high,
 /// accuracy (arc length) and what doubles can tell apart. Between opposite signs such a stretch holds a root,
 /// certified if it is no wider than the accuracy: a crossing where the function changes continuously, else a
 /// jump; a pole is no surface. Equal signs on both sides (an even contact) give no root, and the verdict
-/// `gap`. Within a 64th of the resolution of the places where the line enters and leaves its container only
-/// the value at the wall itself counts. A line that comes from outside (near > 0) counts as outside the solid
-/// before: a surface that coincides with the wall is met there.
+/// `gap`. The threshold itself is outside. Within a 64th of the resolution of the places where the line
+/// enters and leaves its container only the value at the wall itself counts. A line that comes from outside
+/// (near > 0) counts as outside the solid before: a surface that coincides with the wall is met there.
 ///
 /// Ends for every input: each step either moves on by at least the resolution or shortens the piece, and
 /// after `budget` enclosures the rest of the line is sampled at `restSamples` points.

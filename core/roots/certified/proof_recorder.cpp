@@ -11,7 +11,6 @@ ProofRule ruleOf(RootKind kind) {
     switch (kind) {
         case RootKind::jump: return ProofRule::jump;
         case RootKind::pole: return ProofRule::pole;
-        case RootKind::gap: return ProofRule::gap;
         default: return ProofRule::crossing;
     }
 }
@@ -28,7 +27,6 @@ const char* name(ProofRule rule) {
         case ProofRule::crossing: return "crossing";
         case ProofRule::jump: return "jump";
         case ProofRule::pole: return "pole";
-        case ProofRule::gap: return "gap";
     }
     return "";
 }

@@ -25,7 +25,6 @@ enum class ProofRule : std::uint8_t {
     crossing,
     jump,
     pole,
-    gap,  ///< values that stay 0 as far as doubles tell
 };
 
 /// The word for a rule: static text.

@@ -148,7 +148,6 @@ HitKind hitKind(RootKind kind) {
         case RootKind::exitWall: return HitKind::container;
         case RootKind::jump: return HitKind::jump;
         case RootKind::pole: return HitKind::pole;
-        case RootKind::gap: return HitKind::gap;
     }
     return HitKind::crossing;
 }

@@ -52,7 +52,7 @@ std::vector<glm::dvec3> surfacePoints(const Isosurface& surface, std::span<const
         all.allHits(rays, context, hits);
         for (const HitList& found : hits)
             for (const Hit& hit : found)
-                if (hit.kind == HitKind::crossing || hit.kind == HitKind::gap) points.push_back(hit.point);
+                if (hit.kind == HitKind::crossing) points.push_back(hit.point);
     }
     if (points.size() <= most) return points;
     std::vector<glm::dvec3> some;

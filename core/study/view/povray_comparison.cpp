@@ -56,8 +56,7 @@ struct Evidence {
     DifferenceCause causeOf(int x, int y) const {
         const auto i = index(x, y);
         const HitKind kind = traced.pixels[i].kind;
-        if (traced.pixels[i].found &&
-            (kind == HitKind::jump || kind == HitKind::pole || kind == HitKind::gap))
+        if (traced.pixels[i].found && (kind == HitKind::jump || kind == HitKind::pole))
             return DifferenceCause::jump;
         switch (holes.pixels[i]) {
             case HolePixel::lost: return DifferenceCause::hole;
