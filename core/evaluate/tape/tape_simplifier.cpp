@@ -91,14 +91,14 @@ class ChainDecisions {
     }
 
   private:
-    /// The last place before which decided choices lead, from this one on.
+    /// The place that decided choices of a chain lead to, link by link; this one where its own choice does not.
     std::uint32_t endOfChain(std::uint32_t place) const {
         std::size_t word = place / wordBits;
         const auto ends = [&] {
             return ~((choices_.first[word] & chains_.leadsByFirst[word]) |
                      (choices_.second[word] & chains_.leadsBySecond[word]));
         };
-        // Nothing leads beyond the first place of all.
+        // The first place of all leads nowhere.
         std::uint64_t found = ends() & (~std::uint64_t(0) >> (wordBits - 1 - place % wordBits));
         while (found == 0) {
             --word;
