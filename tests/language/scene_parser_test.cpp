@@ -373,21 +373,6 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
         QCOMPARE(material(2).finish.ambient.red, 0.9);
     }
 
-    /// Found by fuzzing: a #default within a texture freed the material that the texture goes on with.
-    void defaultsWithinATextureLeaveItsOwnAlone() {
-        std::string text =
-            "#default { pigment { rgb <0.25, 0.5, 1> } }\n"
-            "sphere { 0, 1 texture { hexagon texture { pigment { rgb x } }\n";
-        for (int k = 0; k < 20; ++k) text += "#default { pigment { rgb y } }\n";
-        const ParseResult parsed = parseScene(text + "} }");
-        QVERIFY2(parsed.ok(), problems(parsed).c_str());
-        const Material& material =
-            parsed.scene->materials.at(std::size_t(parsed.scene->objects.at(0).material));
-        QVERIFY(material.map);
-        QCOMPARE(material.map->entries.size(), std::size_t(3));
-        QCOMPARE(colorOf(material.map->entries[2].material).red, 0.25);
-    }
-
     void partsKeepTheirTextures() {
         const ParseResult parsed = parseScene(
             "intersection { sphere { 0, 1 pigment { rgb <1, 0, 0> } } box { -2, <2, 0, 2> } pigment { rgb "

@@ -459,6 +459,21 @@ class StatementValuesTest : public QObject {
     void lights() {
         check("", "", [](const ParseResult& parsed) { return description(parsed.scene->lights.at(0)); });
     }
+
+    /// Found by fuzzing: a #default within a texture freed the material that the texture goes on with.
+    void defaultsWithinATextureLeaveItsOwnAlone() {
+        std::string text =
+            "#default { pigment { rgb <0.25, 0.5, 1> } }\n"
+            "sphere { 0, 1 texture { hexagon texture { pigment { rgb x } }\n";
+        for (int k = 0; k < 20; ++k) text += "#default { pigment { rgb y } }\n";
+        const ParseResult parsed = parseScene(text + "} }");
+        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+        const Material& material =
+            parsed.scene->materials.at(std::size_t(parsed.scene->objects.at(0).material));
+        QVERIFY(material.map);
+        QCOMPARE(material.map->entries.size(), std::size_t(3));
+        QCOMPARE(std::get<SolidPigment>(material.map->entries[2].material.pigment).color.red, 0.25);
+    }
 };
 
 QTEST_APPLESS_MAIN(StatementValuesTest)

@@ -24,8 +24,8 @@ constexpr double widestPart = 0.75;
 /// Of the tapes that are kept, about 50 bytes each. Memory that is touched for the first time costs more than
 /// what is made anew in memory that is there.
 constexpr std::size_t mostInstructions = 1 << 16;
-/// Of all cells, some hundred bytes each.
-constexpr std::size_t mostCells = 1 << 17;
+/// Bytes of cells and their divisions.
+constexpr std::size_t mostMemory = 1 << 26;
 
 double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
@@ -73,9 +73,9 @@ void CellTree::begin(const LineBundle& bundle) {
     const LineRegion reached = regionOf(bundle);
     const bool usual = settings_.region && holds(rootBox(*settings_.region), reached);
     const LineRegion& region = usual ? *settings_.region : reached;
-    if (!cells_.empty() && cells_.size() <= mostCells && same(region, region_)) return;
+    if (!cells_.empty() && memory_ <= mostMemory && same(region, region_)) return;
     region_ = region;
-    instructions_ = 0;
+    instructions_ = memory_ = 0;
     madeFor_ = nullptr;
     kept_.clear();
     cells_.clear();
@@ -146,6 +146,9 @@ void CellTree::divide(Cell& cell) {
             division.places.push_back(
                 links_.chains().places[links_.whole().links[instruction.number].choice]);
     decide(cell, division.decided);
+    memory_ += division.children.size() * sizeof(Cell) +
+               division.choices.size() * (sizeof(LaneChoices) + sizeof(std::uint32_t)) +
+               2 * division.decided.first.size() * sizeof(std::uint64_t);
 }
 
 /// What is decided all over the box of a cell.

@@ -89,6 +89,7 @@ class CellTree {
     std::vector<Cell*> kept_;       ///< cells that have a tape of their own
     std::size_t instructions_ = 0;  ///< of these
     std::uint64_t uses_ = 0;        ///< of these so far
+    std::size_t memory_ = 0;        ///< of cells and their divisions, in bytes
 };
 
 }  // namespace isoscope
