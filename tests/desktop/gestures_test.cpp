@@ -173,7 +173,7 @@ class GesturesTest : public QObject {
     void wheelZoomsAndDoubleClickResets() {
         hand_.wheel(viewport(), middle() + QPoint(30, 0), 3);
         QTRY_VERIFY(viewport()->viewMoved());
-        hand_.click(viewport(), middle(), RealInput::left, 2);
+        hand_.doubleClick(viewport(), middle());
         QTRY_VERIFY(!viewport()->viewMoved());
         QVERIFY(untouched());
     }
@@ -185,7 +185,7 @@ class GesturesTest : public QObject {
         QVERIFY(viewport()->viewMoved());
         QVERIFY(!(viewport()->camera() == once));
         // Nor is a double click of another button one.
-        hand_.click(viewport(), middle(), RealInput::middle, 2);
+        hand_.doubleClick(viewport(), middle(), RealInput::middle);
         QVERIFY(viewport()->viewMoved());
     }
 
@@ -213,7 +213,7 @@ class GesturesTest : public QObject {
         hand_.drag(view, at, {25, 10});
         QVERIFY(d.rests());
         QTRY_VERIFY(difference(view->frame(), home) > 0.005);
-        hand_.click(view, at, RealInput::left, 2);
+        hand_.doubleClick(view, at);
         QTRY_VERIFY(d.rests() && difference(view->frame(), home) < 0.001);
         hand_.wheel(view, at, 3);
         QTRY_VERIFY(d.rests() && difference(view->frame(), home) > 0.005);
@@ -227,7 +227,7 @@ class GesturesTest : public QObject {
         const double first = slider->value();
         d.drag(index, 30);
         QVERIFY(slider->value() != first);
-        hand_.click(slider->findChild<QLabel*>(), {12, 6}, RealInput::left, 2);
+        hand_.doubleClick(slider->findChild<QLabel*>(), {12, 6});
         QTRY_COMPARE(d->parameters()->slider(d.parameter(QStringLiteral("Radius")))->value(), first);
         QCOMPARE(d->editor()->sceneText(), text_);
     }

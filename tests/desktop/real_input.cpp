@@ -3,7 +3,9 @@
 
 #include <cstdlib>
 #include <QGuiApplication>
+#include <QMouseEvent>
 #include <QProcess>
+#include <QStyleHints>
 #include <QTest>
 #include <QWidget>
 
@@ -27,6 +29,30 @@ QStringList modifiers(const QString& held, const QString& command) {
 QStringList down(const QString& held) { return modifiers(held, QStringLiteral("keydown")); }
 QStringList up(const QString& held) { return modifiers(held, QStringLiteral("keyup")); }
 
+QStringList clicks(RealInput::Button button, int times) {
+    QStringList arguments;
+    for (const QString number = QString::number(button); times > 0; --times)
+        arguments << QStringLiteral("mousedown") << number << QStringLiteral("mouseup") << number;
+    return arguments;
+}
+
+/// When mouse buttons were pressed while this lives, in milliseconds by the server's clock.
+class PressTimes : public QObject {
+  public:
+    PressTimes() { qApp->installEventFilter(this); }
+    const QList<quint64>& times() const { return times_; }
+
+    bool eventFilter(QObject* receiver, QEvent* event) override {
+        // The window's event comes once; widgets may pass theirs on.
+        const bool press = event->type() == QEvent::MouseButtonPress && receiver->isWindowType();
+        if (press) times_ << static_cast<QMouseEvent*>(event)->timestamp();
+        return false;
+    }
+
+  private:
+    QList<quint64> times_;
+};
+
 }  // namespace
 
 bool RealInput::available() { return QGuiApplication::platformName() == QLatin1String("xcb"); }
@@ -43,12 +69,20 @@ void RealInput::run(const QStringList& arguments) {
 
 void RealInput::moveTo(const QWidget* widget, QPoint at) const { run(goTo(widget->mapToGlobal(at))); }
 
-void RealInput::click(const QWidget* widget, QPoint at, Button button, int times, const QString& held) const {
-    const QString number = QString::number(button);
-    QStringList arguments = goTo(widget->mapToGlobal(at)) + down(held);
-    for (int i = 0; i < times; ++i)
-        arguments << QStringLiteral("mousedown") << number << QStringLiteral("mouseup") << number;
-    run(arguments + up(held));
+void RealInput::click(const QWidget* widget, QPoint at, Button button) const {
+    run(goTo(widget->mapToGlobal(at)) + clicks(button, 1));
+}
+
+void RealInput::doubleClick(const QWidget* widget, QPoint at, Button button) const {
+    const int interval = QGuiApplication::styleHints()->mouseDoubleClickInterval();
+    for (int tries = 0; tries < 20; ++tries) {
+        const PressTimes presses;
+        run(goTo(widget->mapToGlobal(at)) + clicks(button, 2));
+        if (!QTest::qWaitFor([&] { return presses.times().size() >= 2; })) qFatal("a press did not arrive");
+        if (presses.times()[1] - presses.times()[0] < static_cast<quint64>(interval)) return;
+        QTest::qWait(2 * interval);
+    }
+    qFatal("no two presses within %d ms", interval);
 }
 
 void RealInput::dragAndHold(const QWidget* widget, QPoint from, QPoint by, Button button,

@@ -20,8 +20,9 @@ class RealInput {
     static bool available();
 
     void moveTo(const QWidget* widget, QPoint at) const;
-    void click(const QWidget* widget, QPoint at, Button button = left, int times = 1,
-               const QString& held = {}) const;
+    void click(const QWidget* widget, QPoint at, Button button = left) const;
+    /// Where a busy machine parted the presses by more than Qt's interval, they are made again.
+    void doubleClick(const QWidget* widget, QPoint at, Button button = left) const;
     /// Presses at `from`, goes by `by` in small steps and releases.
     void drag(const QWidget* widget, QPoint from, QPoint by, Button button = left,
               const QString& held = {}) const;
