@@ -105,6 +105,8 @@ class ExpressionParserTest : public QObject {
         row("pow(2, 10)", "1024");
         row("pow(0, 1)", "0");
         row("pow(0, 0.5)", "0");
+        row("pow(0, -1)", "inf");
+        row("1/pow(0, -2.5)", "0");
         row("sqrt(9)", "3");
         row("sqrt(0)", "0");
         row("exp(0)", "1");
@@ -160,6 +162,7 @@ class ExpressionParserTest : public QObject {
         row("(V = V)", "<1, 1, 1>");
         row("vcross(x, y)", "<0, 0, 1>");
         row("vnormalize(<3, 4, 0>)", "<0.6, 0.8, 0>");
+        row("(vnormalize(<acosh(0.5), 1, 0>).y < 1 ? 1 : 2)", "2");
         row("vrotate(x, <0, 0, 0>)", "<1, 0, 0>");
     }
     void evaluatesVectors() { check(); }
@@ -301,7 +304,8 @@ class ExpressionParserTest : public QObject {
         row("sqrt(-1)", "1:1: error: The square root of a negative number does not exist.");
         row("ln(0)", "1:1: error: `ln` needs a positive number.");
         row("acos(2)", "1:1: warning: `acos` is defined from -1 to 1 only; the nearer end is taken.");
-        row("pow(0, -1)", "1:1: error: 0 can only be raised to a positive power.");
+        row("pow(0, 0)", "1:1: error: 0 to the power of 0 does not exist.");
+        row("atan2(0, 0)", "1:1: warning: POV-Ray takes no `atan2(0, 0)`; here it is 0.");
         row("rand(3)", "1:1: error: `rand` needs a stream that `seed` has begun.");
         row("vnormalize(0)", "1:1: warning: A vector of length 0 has no direction; it stays <0, 0, 0>.");
         row("substr(\"abc\", 3, 5)",
@@ -383,6 +387,9 @@ class ExpressionParserTest : public QObject {
         const StreamRun done =
             run("#declare A = clock + 10*frame_number + 100*clock_on + 1000*clock_delta;", options);
         QCOMPARE(printed(*done.context->symbols.find("A")), std::string("380.25"));
+        options.file = "/scenes/torus.pov";
+        const StreamRun named = run("#declare A = strlen(concat(\"<\", input_file_name, \">\"));", options);
+        QCOMPARE(printed(*named.context->symbols.find("A")), std::string("11"));
     }
 
   private:

@@ -9,6 +9,7 @@
 #include "core/evaluate/reference_evaluator.h"
 #include "core/function/patterns/pattern_warp.h"
 #include "core/function/scalar_operations.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/shapes/transform.h"
 
 namespace isoscope {
@@ -51,11 +52,18 @@ Operand squareRoot(Call call) {
 }
 
 Operand power(Call call) {
-    if (call.number(0) == 0 && call.number(1) <= 0) {
-        call.error("0 can only be raised to a positive power.");
+    if (call.number(0) == 0 && call.number(1) == 0) {
+        call.error("0 to the power of 0 does not exist.");
         return Operand::number(0);
     }
     return computed(Operation::power, {call.number(0), call.number(1)});
+}
+
+Operand angle(Call call) {
+    if (call.number(0) == 0 && call.number(1) == 0)
+        warnOfRefusal(call.tokens.context(), call.range, "takes no `atan2(0, 0)`; here it is 0.",
+                      "test for this case before");
+    return computed(Operation::arcTangent2, {call.number(0), call.number(1)});
 }
 
 Operand degrees(Call call) { return Operand::number(call.number(0) * (180 / 3.14159265358979323846)); }
@@ -92,7 +100,7 @@ Operand fromVector(const glm::dvec3& v) {
 Operand normalized(Call call) {
     const glm::dvec3 v = call.vector(0);
     const double length = glm::length(v);
-    if (length > 0) return fromVector(v / length);
+    if (length != 0) return fromVector(v / length);
     call.warning("A vector of length 0 has no direction; it stays <0, 0, 0>.");
     return fromVector({0, 0, 0});
 }
@@ -152,6 +160,7 @@ void addOperations(std::vector<ExpressionFunction>& functions) {
 const std::vector<ExpressionFunction>& floatFunctions() {
     static const auto all = [] {
         std::vector<ExpressionFunction> table{
+            {"atan2", "ff", angle},
             {"bitwise_and", "fff*", [](Call c) { return bitwise(c, [](auto a, auto b) { return a & b; }); }},
             {"bitwise_or", "fff*", [](Call c) { return bitwise(c, [](auto a, auto b) { return a | b; }); }},
             {"bitwise_xor", "fff*", [](Call c) { return bitwise(c, [](auto a, auto b) { return a ^ b; }); }},

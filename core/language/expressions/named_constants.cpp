@@ -62,6 +62,7 @@ const std::unordered_map<std::string_view, Constant>& constants() {
         {"image_height", [](C c) { return Operand::number(c.options.imageHeight); }},
         {"version", [](C c) { return Operand::number(c.languageVersion / 100.0); }},
         {"now", [](C) { return Operand::number(daysSince2000()); }},
+        {"input_file_name", [](C c) { return Operand::text(c.options.file.filename().string()); }},
     };
     return table;
 }

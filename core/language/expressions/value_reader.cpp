@@ -4,6 +4,7 @@
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/objects/spline_parser.h"
 #include "core/language/tokens/nesting_guard.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/token_stream_state.h"
 #include "core/text/number_format.h"
 
@@ -151,7 +152,8 @@ bool ValueReader::readElements(ArrayValue& array, std::size_t dimension, std::si
     for (std::size_t d = dimension + 1; d < array.dimensions.size(); ++d)
         stride *= static_cast<std::size_t>(array.dimensions[d]);
     const std::size_t begin = next;
-    for (int i = 0; i < size && !tokens_.peek().is("}"); ++i) {
+    int i = 0;
+    for (; i < size && !tokens_.peek().is("}"); ++i) {
         next = begin + static_cast<std::size_t>(i) * stride;
         if (dimension + 1 < array.dimensions.size()) {
             if (!readElements(array, dimension + 1, next)) break;
@@ -166,7 +168,13 @@ bool ValueReader::readElements(ArrayValue& array, std::size_t dimension, std::si
         }
         tokens_.accept(",");
     }
-    if (tokens_.accept("}")) return true;
+    if (tokens_.accept("}")) {
+        if (i < size)
+            warnOfRefusal(tokens_.context(), tokens_.lastRange(),
+                          "wants all " + std::to_string(size) + " elements here.",
+                          "add the missing ones, or set them one by one behind the declaration");
+        return true;
+    }
     const Token& found = tokens_.peek();
     tokens_.context().error("expected-token", found.range,
                             "Expected `}` to close the elements of the array, which has room for " +

@@ -68,7 +68,7 @@ constexpr auto described = std::to_array<Word>({
     {"include", directive},
     {"initial_clock", framed},
     {"initial_frame", framed},
-    {"input_file_name", keyword | predeclared},
+    {"input_file_name", value | predeclared},
     {"inside", sceneFunction, "inside(OBJECT, V)"},
     {"isosurface", keyword, {}, 350},
     {"lemon", keyword | shape, {}, 380},
