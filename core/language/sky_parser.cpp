@@ -9,6 +9,7 @@
 #include "core/language/textures/texture_parser.h"
 #include "core/language/tokens/block_words.h"
 #include "core/language/tokens/unknown_name.h"
+#include "core/texture/surface_needs.h"
 
 namespace isoscope {
 
@@ -62,7 +63,7 @@ bool SkyParser::parseItem(SkySphere& sky) {
     }
     if (tokens_.accept("pigment")) {
         Material layer;
-        layer.pigment = PigmentParser(tokens_).parse(draft_.defaultMaterials.back().pigment);
+        layer.pigment = withoutSlopes(PigmentParser(tokens_).parse(draft_.defaultMaterials.back().pigment));
         if (sky.layers.size() < MappedPigment::sizeLimit) sky.layers.push_back(std::move(layer));
         return true;
     }

@@ -33,6 +33,19 @@ bool needsSurface(const SurfaceNormal& normal) {
            });
 }
 
+Pigment withoutSlopes(Pigment pigment) {
+    const MappedPigment* mapped = mappedOf(pigment);
+    if (!mapped || !needsSurface(pigment)) return pigment;
+    auto copy = std::make_shared<MappedPigment>(*mapped);
+    if (needsSurface(copy->pattern)) {
+        // Of a function that is none, which is 0.
+        copy->pattern.kind = PatternKind::function;
+        copy->pattern.function = {};
+    }
+    for (MappedPigment::Entry& entry : copy->entries) entry.pigment = withoutSlopes(std::move(entry.pigment));
+    return copy;
+}
+
 bool onSurface(const Pigment& pigment) {
     const MappedPigment* mapped = mappedOf(pigment);
     return mapped && (mapped->onSurface || std::any_of(mapped->entries.begin(), mapped->entries.end(),

@@ -12,6 +12,9 @@ bool needsSurface(const Pattern& pattern);
 bool needsSurface(const Pigment& pigment);
 bool needsSurface(const SurfaceNormal& normal);
 
+/// The pigment where there is no surface, as of a sky or in a function: slopes are 0, as in POV-Ray 3.7.
+Pigment withoutSlopes(Pigment pigment);
+
 /// Whether something in it is looked up at the place on the surface (`uv_mapping`).
 bool onSurface(const Pigment& pigment);
 bool onSurface(const SurfaceNormal& normal);

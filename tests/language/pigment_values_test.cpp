@@ -77,6 +77,9 @@ class PigmentValuesTest : public QObject {
         row("gradient x translate 0.1 pigment_map { [0 gradient x] [1 gradient x] } scale 2", 0.5, 0.15);
         row("gradient x turbulence 0.5 pigment_map { [0 gradient x] [1 gradient x] }", 0.5, 0.543897);
         row("checker pigment { gradient x } pigment { gradient y } scale 2", 0.5, 0.25);
+        // No surface is known.
+        row("slope <1, 2, 3> color_map { [0 rgb 0.25] [1 rgb 1] }", 0.5, 0.25);
+        row("gradient x pigment_map { [0 slope y] [1 aoi color_map { [0 rgb 0.5] [1 rgb 1] }] }", 0.5, 0.25);
         row("checker rgb 0.25", 0.5, 0.25);
         row("checker rgb 0.25", 1.5, 0);  // and the second is green
         row("hexagon rgb 0.25", 1.5, 1);

@@ -16,6 +16,20 @@ QDir folder() { return QDir(ISOSCOPE_TEST_DATA "/texture"); }
 class TexturePicturesTest : public QObject {
     Q_OBJECT
 
+    /// With POV-Ray's picture of a camera that looks at the origin: to the last step of every pixel.
+    void compareWhole(const QString& scene) {
+        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
+        const std::string text =
+            "#version 3.7; global_settings { assumed_gamma 1 }"
+            "camera { location -3*z look_at 0 }" +
+            scene.toStdString();
+        const ParseResult parsed = parseScene(text);
+        QVERIFY2(parsed.ok(), test::problems(parsed).c_str());
+        QVERIFY(
+            test::comparePictures(renderImage(requestFor(parsed)), test::povrayPicture(text, {})).largest <=
+            1);
+    }
+
   private slots:
     void looksAsInPovray_data() { test::addScenes(folder()); }
 
@@ -101,17 +115,25 @@ class TexturePicturesTest : public QObject {
             << clear + "plane { z, 1 pigment { rgbt <1, 1, 1, 0.6> } finish { ambient 0 diffuse 0 } }";
     }
     void backgroundsAreDarkerByWhatTheyTransmit() {
-        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
         QFETCH(QString, scene);
-        const std::string text =
-            "#version 3.7; global_settings { assumed_gamma 1 }"
-            "camera { location -3*z look_at 0 }" +
-            scene.toStdString();
-        const ParseResult parsed = parseScene(text);
-        QVERIFY2(parsed.ok(), test::problems(parsed).c_str());
-        QVERIFY(
-            test::comparePictures(renderImage(requestFor(parsed)), test::povrayPicture(text, {})).largest <=
-            1);
+        compareWhole(scene);
+    }
+
+    /// Slopes were 0.5 where there is no surface.
+    void skiesHaveNoSlope_data() {
+        QTest::addColumn<QString>("pigment");
+        const QString colors = " color_map { [0 rgb <0.2, 0, 0.1>] [1 rgb 1] }";
+        const QString altitude = "slope { y altitude z }" + colors;
+        for (const QString& pigment : {"slope <1, 2, 3>" + colors, "aoi turbulence 1" + colors, altitude,
+                                       "gradient y pigment_map { [0 slope y] [1 aoi" + colors + "] }"})
+            QTest::newRow(qPrintable(pigment)) << pigment;
+    }
+    void skiesHaveNoSlope() {
+        QFETCH(QString, pigment);
+        compareWhole(
+            "sphere { 0, 1 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection 1 } }"
+            "sky_sphere { pigment { " +
+            pigment + " } }");
     }
 
     /// They were left out.

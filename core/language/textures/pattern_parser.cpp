@@ -23,9 +23,10 @@ bool PatternParser::leaveOut(const Token& word) {
 
 bool PatternParser::parseItems(PatternReader& reader) {
     const Token name = tokens_.peek();
-    if (isPatternLeftOut(name.text) || name.is("slope") || name.is("aoi")) return leaveOut(name);
+    if (isPatternLeftOut(name.text)) return leaveOut(name);
     // POV-Ray knows them in pigments, normals and textures only.
-    if (name.is("square") || name.is("triangular") || name.is("tiling") || name.is("pavement")) {
+    if (name.is("square") || name.is("triangular") || name.is("tiling") || name.is("pavement") ||
+        name.is("slope") || name.is("aoi")) {
         tokens_.context().error("unknown-pattern", name.range,
                                 "`" + std::string(name.text) + "` makes no `pattern` of its own.");
         return false;
@@ -64,10 +65,10 @@ std::optional<NodeId> PatternParser::parse() {
 std::vector<NodeId> PatternParser::parsePigment() {
     const Token word = tokens_.peek();
     PigmentParser parser(tokens_);
-    const Pigment pigment = parser.parse(SolidPigment{});
+    const Pigment pigment = withoutSlopes(parser.parse(SolidPigment{}));
     if (parser.failed()) return {};
     std::vector<std::string> leftOut = notSimulatedIn(pigment);
-    if (needsSurface(pigment)) leftOut.emplace_back("slope");
+    if (onSurface(pigment)) leftOut.emplace_back("uv_mapping");
     if (!leftOut.empty()) {
         tokens_.context().report({Severity::leftOut,
                                   "left-out",
