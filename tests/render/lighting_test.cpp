@@ -112,6 +112,13 @@ std::vector<LightingCase> lightCases() {
     add("fading without distance", {lightAt({})}, fade(0, 2));
     add("parallel fading", {lamp(LightKind::parallel)},
         [](LightingCase& c) { c.lights[0].fadeDistance = 4, c.lights[0].fadePower = 2; });
+    // It was dark there.
+    for (const double power : {0.5, 1.0, 2.0, 3.0})
+        add("behind a parallel light that fades", {lamp(LightKind::parallel)}, [=](LightingCase& c) {
+            c.name += ", " + std::to_string(power);
+            c.lights[0].location = {0.3, 0.5, -0.4};
+            c.lights[0].fadeDistance = 0.7, c.lights[0].fadePower = power;
+        });
     return cases;
 }
 

@@ -55,7 +55,8 @@ double strengthAt(const LightSource& light, const SurfacePoints& points, std::si
     double strength = fading(light, points.distance[k]);
     if (light.kind == LightKind::spotlight) strength *= spotlight(light, -at(points.toLight, k));
     if (light.kind == LightKind::cylinder) strength *= cylinder(light, at(points.point, k));
-    return strength > 0 && std::isfinite(strength) ? strength : 0;
+    // Behind a parallel light that fades by an odd power it is negative, and darkens.
+    return std::isfinite(strength) ? strength : 0;
 }
 
 }  // namespace
