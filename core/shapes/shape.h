@@ -78,10 +78,13 @@ class Shape {
     virtual Bounds boundsWithin(const Bounds& room) const { return isoscope::intersect(bounds(), room); }
 
     /// A box that holds what lies in `room` of the surface and of what contains() says is not inside.
-    virtual Bounds complementWithin(const Bounds& room) const { return room; }
+    virtual Bounds complementWithin(const Bounds& room) const {
+        return isPatch() ? boundsWithin(room) : room;
+    }
 
-    /// Whether points inside may lie outside of bounds(), which hold the surface.
-    virtual bool insideLeavesBounds() const { return false; }
+    /// Whether bounds() cut off intersections with other shapes, whatever is inside beyond them. As measured
+    /// on POV-Ray 3.7.
+    virtual bool boundsCutIntersections() const { return true; }
 
     /// Whether the shape gains from being asked about many rays at once, by nearest() and allHits().
     virtual bool searchesBundles() const { return false; }

@@ -137,6 +137,17 @@ class ShapePicturesTest : public QObject {
             "union { intersection { cylinder { -y, y, 0.5 } box { <-0.3, -1, -1>, <1, 1, 1> } } "
             "difference { merge { cone { -y, 0.7, y, 0.3 } cone { y, 0.3, 1.3*y, 0.2 pigment { rgb x } } } "
             "cone { -y, 0.7, 0.5*y, 0.1 } translate 1.3*z - 1.2*x } }");
+        const char* const disc = "disc { <0.1, 0.2, 0>, <-0.229, -0.509, 0.441>, 0.63, 0.39 }";
+        for (const char* operation : {"merge", "intersection", "difference"})
+            for (const char* other : {"sphere { -0.3*x, 0.8 }", "plane { y, -0.3 }", "torus { 0.6, 0.2 }",
+                                      "union { sphere { 0.3*x, 0.4 } box { -0.5, <0, 0.5, 0.5> } }",
+                                      "triangle { <-1, -1, 0>, <1, -1, 0.3>, <0, 1, -0.2> }",
+                                      "mesh { triangle { <-1, -1, 0>, <1, -1, 0.3>, <0, 1, -0.2> } }"}) {
+                const QString name = QString("disc_%1_%2").arg(operation, QString(other).section(' ', 0, 0));
+                add(qPrintable(name + "_first"),
+                    qPrintable(QString("%1 { %2 %3 }").arg(operation, disc, other)));
+                add(qPrintable(name), qPrintable(QString("%1 { %3 %2 }").arg(operation, disc, other)));
+            }
         add("nested",
             "union { object { torus { 0.5, 0.2 } scale <2, 1, 1> } union { cone { 0, 0.5, y, 0 pigment "
             "{ rgb <0, 0.6, 0.2> } } translate 0.2*y } rotate <-30, 40, 10> translate -0.3*y }");

@@ -12,6 +12,7 @@
 #include "core/shapes/patches/triangle.h"
 #include "core/shapes/solids/box.h"
 #include "core/shapes/solids/cone.h"
+#include "core/shapes/solids/disc.h"
 #include "core/shapes/solids/plane.h"
 #include "core/shapes/solids/quadric.h"
 #include "core/shapes/solids/sphere.h"
@@ -62,6 +63,38 @@ class CsgTest : public QObject {
 
     void mergeDropsInnerSurfaces() {
         QCOMPARE(alongX(*csg(CsgOperation::merge, {sphereAt(0.5), sphereAt(-0.5)})), (Numbers{-1.5, 1.5}));
+    }
+
+    /// It ended with the box around the disc.
+    void theInsideOfADiscHasNoEnd() {
+        const auto disc = std::make_shared<Disc>(glm::dvec3(0), glm::dvec3(1, 0, 0), 0.1);
+        TraceContext context;
+        const ShapePointer merged = csg(CsgOperation::merge, {disc, sphereAt(0)});
+        QVERIFY(merged->contains({-50, 70, 0}, context));
+        QCOMPARE(alongX(*merged), (Numbers{1}));
+        // But it cuts off what it is intersected with, as in POV-Ray.
+        const ShapePointer shared = csg(CsgOperation::intersection, {disc, sphereAt(0)});
+        QVERIFY(shared->contains({-0.5, 0.5, 0}, context));
+        QCOMPARE(shared->bounds().high.y, 0.1);
+    }
+
+    /// min_extent and max_extent of POV-Ray, to five digits.
+    void boundsOfDiscsAreThoseOfPovray() {
+        const std::pair<glm::dvec3, glm::dvec3> reaches[] = {
+            {{0, 0, 1}, {1, 1, 0.001}},
+            {{0, 0, -1}, {1, 1, 0.001}},
+            {{0, 1, 0}, {1, 0.001, 1}},
+            {{0, 1, 1}, {1, 0.70781, 0.70781}},
+            {{1, 1, 0}, {1.00071, 1.00071, 1.41421}},
+            {{1, 1, 1}, {1.00058, 1.00058, 1.15528}},
+            {{1, 2, 3}, {1.03991, 0.92125, 0.80259}},
+            {{-1, 2, -3}, {1.36062, 1.16268, 0.80259}},
+        };
+        for (const auto& [normal, reach] : reaches) {
+            const Bounds bounds = Disc(glm::dvec3(0), normal, 1).bounds();
+            QVERIFY(bounds.low == -bounds.high);
+            QVERIFY(glm::length(bounds.high - reach) < 2e-5);
+        }
     }
 
     void intersectionKeepsWhatIsShared() {

@@ -75,7 +75,7 @@ void ObjectTracer::nearest(const RayBatch& rays, TraceContext& context, Gathered
     hits.reset(rays.size());
     if (rays.empty()) return;
     // The only object of a scene finds out by itself which rays come near it.
-    if (objects_.size() == 1) {
+    if (objects_.size() == 1 && !boundsCut_) {
         objects_[0].object->shape->nearestInBatch(rays, context, hits);
         hits.setMaterial(objects_[0].object->material);
         return;
@@ -113,7 +113,7 @@ void ObjectTracer::blocked(std::span<const Ray> rays, std::span<const double> li
             if (asked.known[HitBatch::t][i] < limits[i]) block(i);
     };
     // The only object finds out by itself which of them come near it.
-    if (objects_.size() == 1) {
+    if (objects_.size() == 1 && !boundsCut_) {
         if (objects_[0].mayMeet(RayBundle(rays))) askAll(objects_[0]);
         return;
     }

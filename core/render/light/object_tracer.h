@@ -56,6 +56,8 @@ class ObjectTracer {
     };
     void add(const SceneObject& object) {
         objects_.push_back({&object, object.shape->boundsWithin(object.shape->bounds())});
+        const Bounds &box = objects_.back().bounds, whole = object.shape->boundsWithin({});
+        boundsCut_ |= box.low != whole.low || box.high != whole.high;
         allHaveMaterials_ &= object.material != noMaterial;
     }
     void buildBvh();
@@ -66,6 +68,7 @@ class ObjectTracer {
 
     std::vector<Entry> objects_;
     bool allHaveMaterials_ = true;
+    bool boundsCut_ = false;  ///< whether a shape may be met outside of its bounds
     Bvh tree_;
 };
 

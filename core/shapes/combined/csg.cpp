@@ -43,11 +43,12 @@ Csg::Csg(CsgOperation operation, std::vector<ShapePointer> parts)
     for (const ShapePointer& part : parts_)
         if (grows())
             bounds_ = unite(bounds_, part->bounds());
-        else if (!part->insideLeavesBounds())
+        else if (part->boundsCutIntersections())
             bounds_ = isoscope::intersect(bounds_, part->bounds());
     hull_ = parts_.front()->boundsWithin({});
     for (const ShapePointer& part : parts_) {
         const Bounds solid = part->boundsWithin({});
+        partSolids_.push_back(solid);
         partHulls_.push_back(isoscope::intersect(solid, part->bounds()));
         hull_ = grows() ? unite(hull_, solid) : isoscope::intersect(hull_, solid);
     }
@@ -229,7 +230,7 @@ Csg::Selection Csg::select(std::size_t part, std::span<const Ray> rays, std::spa
 bool Csg::contains(const glm::dvec3& point, TraceContext& context) const {
     const bool grows = this->grows();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
-        if (grows && !partHulls_[part].contains(point)) continue;
+        if (grows && !partSolids_[part].contains(point)) continue;
         if (parts_[part]->contains(point, context) == grows) return grows;
     }
     return !grows && !parts_.empty();
@@ -290,7 +291,7 @@ void Csg::findVisible(const Ray& ray, const Room& room, std::span<PartHit> toget
 bool Csg::visible(const Hit& hit, std::size_t part, TraceContext& context) const {
     const bool wanted = operation_ != CsgOperation::merge;
     for (std::size_t other = 0; other < parts_.size(); ++other) {
-        if (other == part || (!wanted && !partHulls_[other].contains(hit.point))) continue;
+        if (other == part || (!wanted && !partSolids_[other].contains(hit.point))) continue;
         if (parts_[other]->contains(hit.point, context) != wanted) return false;
     }
     return true;

@@ -90,7 +90,8 @@ class Csg : public Shape {
 
     CsgOperation operation_;
     std::vector<ShapePointer> parts_;
-    std::vector<Bounds> partHulls_;  ///< of the surface of each part, as far as others do not cut it off
+    std::vector<Bounds> partHulls_;   ///< of the surface of each part, as far as others do not cut it off
+    std::vector<Bounds> partSolids_;  ///< of what each part contains
     Bounds bounds_;
     Bounds hull_;  ///< boundsWithin() of everywhere
     bool searchesBundles_ = false;

@@ -21,8 +21,8 @@ class InverseShape : public Shape {
                  std::span<NearestHit> nearest) const override;
     void allHits(std::span<const Ray> rays, TraceContext& context, std::span<HitList> hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
-    /// Infinite: a ray may be inside without ever meeting the surface.
-    Bounds bounds() const override { return {}; }
+    /// Infinite for most: a ray may be inside without ever meeting the surface.
+    Bounds bounds() const override { return boundsWithin({}); }
     Bounds boundsWithin(const Bounds& room) const override { return shape_->complementWithin(room); }
     bool searchesBundles() const override { return surface_->searchesBundles(); }
     Composition composition() const override;

@@ -30,7 +30,7 @@ class PlacedShape : public Shape {
     bool searchesBundles() const override { return shape_->searchesBundles(); }
     bool mayBeMet(const RayBundle& rays) const override;
     Bounds complementWithin(const Bounds& room) const override;
-    bool insideLeavesBounds() const override { return shape_->insideLeavesBounds(); }
+    bool boundsCutIntersections() const override { return shape_->boundsCutIntersections(); }
     Composition composition() const override;
     ShapePointer withParts(std::vector<ShapePointer> parts, std::vector<ShapePointer> limits) const override;
 

@@ -54,7 +54,9 @@ double bend(const Points& p) {
 }  // namespace
 
 BicubicPatch::BicubicPatch(const Points& p, int uSteps, int vSteps, double flatness,
-                           const std::array<glm::dvec2, 4>& corners) {
+                           const std::array<glm::dvec2, 4>& corners)
+    : bounds_{p[0], p[0]} {
+    for (const glm::dvec3& point : p) bounds_ = unite(bounds_, {point, point});
     int enough = 8;
     if (flatness > 0)
         for (enough = 0; enough < 8 && bend(p) / std::exp2(2 * enough) > flatness;) ++enough;

@@ -30,13 +30,16 @@ class BicubicPatch : public Shape {
     }
     bool contains(const glm::dvec3&, TraceContext&) const override { return false; }
     bool isPatch() const override { return true; }
-    Bounds bounds() const override { return mesh_->bounds(); }
+    /// Those of its points, as in POV-Ray.
+    Bounds bounds() const override { return bounds_; }
+    Bounds boundsWithin(const Bounds& room) const override { return mesh_->boundsWithin(room); }
     std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override {
         return mesh_->surfacePlace(point);
     }
 
   private:
     std::shared_ptr<const Mesh> mesh_;
+    Bounds bounds_;
 };
 
 }  // namespace isoscope

@@ -41,7 +41,7 @@ class HeightField : public Shape {
     Bounds bounds() const override { return bounds_; }
     /// The inside goes down without end.
     Bounds boundsWithin(const Bounds& room) const override { return room; }
-    bool insideLeavesBounds() const override { return true; }
+    bool boundsCutIntersections() const override { return false; }
     /// Smooth normals are blended after they have been stretched with the field, as in POV-Ray.
     ShapePointer awareOf(const Transform& place) const override;
 

@@ -38,6 +38,8 @@ class Mesh : public Shape {
                  std::span<NearestHit> nearest) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
     bool isPatch() const override { return !insideDirection_; }
+    /// Other patches cut off what they are taken from by their bounds; in POV-Ray, meshes do not.
+    Bounds complementWithin(const Bounds& room) const override { return room; }
     Bounds bounds() const override { return bounds_; }
     std::optional<glm::dvec2> surfacePlace(const glm::dvec3& point) const override;
     std::vector<TextureShare> textureShares(const glm::dvec3& point) const override;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/shapes/solids/plane.h"
+
 namespace isoscope {
 
 Disc::Disc(const glm::dvec3& center, const glm::dvec3& normal, double radius, double holeRadius)
@@ -27,8 +29,19 @@ bool Disc::contains(const glm::dvec3& point, TraceContext&) const {
 }
 
 Bounds Disc::bounds() const {
-    const glm::dvec3 reach = radius_ * glm::sqrt(glm::max(glm::dvec3(1) - normal_ * normal_, glm::dvec3(0)));
+    constexpr double halfThickness = 1e-3;
+    const glm::dvec3& n = normal_;
+    // Against the z axis there is no shortest turn; the square is the same.
+    const double part = n.z > -1 ? 1 / (1 + n.z) : 0;
+    const glm::dvec3 right(1 - n.x * n.x * part, -n.x * n.y * part, -n.x);
+    const glm::dvec3 up(-n.x * n.y * part, 1 - n.y * n.y * part, -n.y);
+    const glm::dvec3 reach = radius_ * (glm::abs(right) + glm::abs(up)) + halfThickness * glm::abs(n);
     return {center_ - reach, center_ + reach};
+}
+
+Bounds Disc::boundsWithin(const Bounds& room) const {
+    if (normal_ == glm::dvec3(0)) return isoscope::intersect(bounds(), room);
+    return isoscope::intersect(Plane(normal_, glm::dot(normal_, center_)).bounds(), room);
 }
 
 }  // namespace isoscope

@@ -19,7 +19,10 @@ class Disc : public Shape {
 
     void intersect(const Ray& ray, RayInterval interval, TraceContext& context, HitList& hits) const override;
     bool contains(const glm::dvec3& point, TraceContext& context) const override;
+    /// POV-Ray's: of the square around the disc whose sides come from the axes of x and y by the shortest
+    /// turn of the z axis to the normal, 0.002 thick. It cuts intersections off.
     Bounds bounds() const override;
+    Bounds boundsWithin(const Bounds& room) const override;
     PrimitivePointer primitive() const override { return this; }
 
   private:

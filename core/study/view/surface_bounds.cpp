@@ -57,7 +57,10 @@ bool isInverse(const ShapePointer& shape) {
     return made.kind == complement || (made.kind == wrapped && isInverse(made.parts.front()));
 }
 
-bool ends(const ShapePointer& shape) { return shape->boundsWithin({}).finite(); }
+/// A box around the surface.
+Bounds boundsOf(const ShapePointer& shape) { return shape->boundsWithin(shape->bounds()); }
+
+bool ends(const ShapePointer& shape) { return boundsOf(shape).finite(); }
 
 }  // namespace
 
@@ -73,7 +76,7 @@ SurfaceBounds::SurfaceBounds(std::shared_ptr<const Scene> scene, ReachSettings s
         visible.push_back(object.shape);
         if (!ends(object.shape)) continue;
         finite.push_back(object.shape);
-        if (!object.shape->boundsWithin({}).contains(scene_->camera.location)) shown_.push_back(object.shape);
+        if (!boundsOf(object.shape).contains(scene_->camera.location)) shown_.push_back(object.shape);
     }
     if (shown_.empty()) shown_ = finite.empty() ? std::move(visible) : std::move(finite);
 }
@@ -82,7 +85,7 @@ double SurfaceBounds::reach(const glm::dvec3& direction) {
     // What may go farthest comes first: most of the others need no look then.
     std::vector<std::pair<double, const ShapePointer*>> order;
     for (const ShapePointer& shape : shown_)
-        order.emplace_back(reachOf(shape->boundsWithin({}), direction), &shape);
+        order.emplace_back(reachOf(boundsOf(shape), direction), &shape);
     std::stable_sort(order.begin(), order.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     double farthest = -infinity;
@@ -112,7 +115,7 @@ std::uint64_t SurfaceBounds::boxes() const {
 
 /// At least min(the reach, `known`): what reaches no farther than is known already does not matter.
 double SurfaceBounds::reach(const ShapePointer& shape, const glm::dvec3& direction, double known) {
-    const double limit = reachOf(shape->boundsWithin({}), direction);
+    const double limit = reachOf(boundsOf(shape), direction);
     if (limit <= known) return limit;
     if (const auto surface = asIsosurface(shape)) {
         auto& study = isosurfaces_[surface.get()];
