@@ -23,6 +23,8 @@ class SceneParser {
     bool parseKnown(const Token& word);
     void parseCamera(const Token& word);
     void parseBackground();
+    /// The bare name of a declared object or light; false, and nothing is read, where there is none.
+    bool parseName(const Token& name);
     void parseLight();
     Value parseLightValue();
     void parseObject();

@@ -287,6 +287,33 @@ object { Things[0] pigment { Colors[1] } }
         QCOMPARE(colorOf(scene.materials.at(std::size_t(scene.objects[1].material))).green, 1.0);
     }
 
+    /// They were mistakes; macros often end with one.
+    void namesOfObjectsStandAlone() {
+        const ParseResult parsed = parseScene(R"(
+#declare Ball = sphere { 2*x, 1 pigment { rgb 0.25 } }
+#declare Lamp = light_source { <1, 0, 0>, 1 }
+#macro Moved(A) object { Ball translate A } #end
+#macro Same() Ball #end
+Ball Lamp
+union { box { 8, 9 } Ball Lamp translate y }
+Same()
+difference { box { -9, 9 } Same() Ball Moved(z) }
+light_group { Ball Lamp }
+)");
+        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+        const Scene& scene = *parsed.scene;
+        QCOMPARE(scene.objects.size(), std::size_t(6));
+        QCOMPARE(scene.lights.size(), std::size_t(3));
+        QVERIFY(glm::length(scene.lights[1].location - glm::dvec3(1, 1, 0)) < 1e-12);
+        QCOMPARE(scene.objects[0].shape->bounds().high, glm::dvec3(3, 1, 1));
+        QCOMPARE(colorOf(scene.materials.at(std::size_t(scene.objects[0].material))).red, 0.25);
+        QCOMPARE(scene.objects[2].shape->bounds().high, glm::dvec3(3, 2, 1));
+        TraceContext context;
+        QVERIFY(!scene.objects[4].shape->contains({2, 0, 0}, context));
+        QVERIFY(!scene.objects[4].shape->contains({2, 0, 1.9}, context));
+        QVERIFY(scene.objects[4].shape->contains({2, 0, 2.1}, context));
+    }
+
     void lightsInsideObjectsMoveWithThem() {
         const ParseResult parsed = parseScene(
             "#declare L = light_source { <1, 0, 0>, 1 }\nunion { sphere { 0, 1 } light_source { L } "

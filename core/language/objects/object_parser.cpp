@@ -60,8 +60,9 @@ struct ObjectParser::Statement {
     std::vector<std::string> leftOut;  ///< sentences about its texture are added when it is complete
     SourceRange textureRange;
     SourceRange interiorRange;
-    bool drawn = true;     ///< false when nothing can be shown; the reason has been reported
-    bool excused = false;  ///< its shape was not understood: items that follow may be parts of it
+    bool drawn = true;      ///< false when nothing can be shown; the reason has been reported
+    bool declared = false;  ///< begins with the name of a declared object, so that it has no parts
+    bool excused = false;   ///< its shape was not understood: items that follow may be parts of it
     bool firstPartMissing = false;
     bool onSurface = false;                ///< `uv_mapping` has been said
     std::optional<SourceRange> modifiers;  ///< where the first begins
@@ -118,7 +119,8 @@ void ObjectParser::parseContents(Statement& statement) {
     const std::string_view word = statement.keyword.text;
     if (word == "object" || word == "looks_like" || word == "projected_through")
         return parseObjectContents(statement);
-    if (startFromDeclared(statement)) return;
+    // A group of lights has parts only.
+    if (word != "light_group" && startFromDeclared(statement)) return;
     if (word == "isosurface")
         statement.isosurface.emplace(tokens_);
     else if (const ShapeParser* parser = findShapeParser(word))
@@ -150,21 +152,38 @@ void ObjectParser::parseParts(Statement& statement) {
 
 bool ObjectParser::parsePart(Statement& statement) {
     const Token token = tokens_.peek();
-    ObjectDescription& description = statement.description;
     if (token.is("light_source")) {
         tokens_.next();
         addLight(statement);
         return true;
     }
-    if (token.kind != TokenKind::word || !isObject(token.text)) return false;
-    const ObjectPointer part = parse();
-    if (!part) {
-        const bool first = description.parts.empty() && !statement.firstPartMissing;
-        statement.firstPartMissing |= first && description.operation == CsgOperation::difference;
-        return true;
-    }
-    if (grow(statement, *part)) description.parts.push_back(part);
+    if (takeLight(statement)) return true;
+    if (token.kind == TokenKind::word && isObject(token.text))
+        addPart(statement, parse());
+    else if (const std::optional<ObjectPointer> named = parseName())
+        addPart(statement, *named);
+    else
+        return false;
     return true;
+}
+
+void ObjectParser::addPart(Statement& statement, const ObjectPointer& part) {
+    ObjectDescription& description = statement.description;
+    if (part) {
+        if (grow(statement, *part)) description.parts.push_back(part);
+        return;
+    }
+    const bool first = description.parts.empty() && !statement.firstPartMissing;
+    statement.firstPartMissing |= first && description.operation == CsgOperation::difference;
+}
+
+std::optional<ObjectPointer> ObjectParser::parseName() {
+    Statement statement;
+    statement.keyword = tokens_.peek();
+    statement.description.keyword = "object";
+    statement.description.range = statement.keyword.range;
+    if (!startFromDeclared(statement)) return std::nullopt;
+    return finish(statement);
 }
 
 void ObjectParser::addLight(Statement& statement) {
@@ -226,13 +245,19 @@ bool ObjectParser::startFromDeclared(Statement& statement) {
     const std::optional<ObjectPointer> object = takeDeclared<ObjectPointer>(tokens_);
     if (object && *object)
         take(statement, *object);
-    else if (const auto light = takeDeclared<LightSource>(tokens_)) {
-        if (tokens_.charge(TokenStream::stepsPerItem, tokens_.lastRange()))
-            statement.description.lights.push_back(*light);
-    } else if (object)
+    else if (object)
         statement.drawn = false;
-    else
+    else if (!takeLight(statement))
         return false;
+    statement.declared = true;
+    return true;
+}
+
+bool ObjectParser::takeLight(Statement& statement) {
+    const auto light = takeDeclared<LightSource>(tokens_);
+    if (!light) return false;
+    if (tokens_.charge(TokenStream::stepsPerItem, tokens_.lastRange()))
+        statement.description.lights.push_back(*light);
     return true;
 }
 
@@ -252,7 +277,7 @@ bool ObjectParser::parseModifier(Statement& statement) {
         if (!statement.modifiers) statement.modifiers = word.range;
         return true;
     }
-    if (!csgOperation(statement.keyword.text) || !parsePart(statement)) return false;
+    if (statement.declared || !csgOperation(statement.keyword.text) || !parsePart(statement)) return false;
     if (statement.modifiers)
         warnOfLateItem(tokens_, *statement.modifiers, word,
                        "wants the objects of a `" + std::string(statement.keyword.text) +

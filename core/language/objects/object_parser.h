@@ -23,6 +23,9 @@ class ObjectParser {
     /// The statement that the next token begins, which may be `looks_like` too. Null when it cannot be drawn;
     /// that has been reported.
     ObjectPointer parse();
+    /// A declared object or light by its name alone, without `object`, if that comes next: it takes no
+    /// modifiers. Null when it is not drawn.
+    std::optional<ObjectPointer> parseName();
 
   private:
     struct Statement;
@@ -33,12 +36,15 @@ class ObjectParser {
     void parseShape(Statement& statement, const ShapeParser& parser);
     void parseParts(Statement& statement);
     bool parsePart(Statement& statement);
+    void addPart(Statement& statement, const ObjectPointer& part);
     /// A light with what it looks like; the word `light_source` has been read.
     void addLight(Statement& statement);
     /// Counts what `part` adds to the statement; false when that is too much.
     bool grow(Statement& statement, const ObjectDescription& part);
     void parseObjectContents(Statement& statement);
     bool startFromDeclared(Statement& statement);
+    /// The name of a declared light, if that comes next.
+    bool takeLight(Statement& statement);
     void take(Statement& statement, const ObjectPointer& object);
     ObjectPointer finish(Statement& statement);
 
