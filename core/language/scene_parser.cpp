@@ -78,19 +78,14 @@ bool SceneParser::parseKnown(const Token& word) {
         tokens_.next();
         statement->parse(tokens_, draft_);
     } else
-        return parseName(word);
+        return parseName();
     return true;
 }
 
-bool SceneParser::parseName(const Token& name) {
+bool SceneParser::parseName() {
     const std::optional<ObjectPointer> object = ObjectParser(tokens_, draft_).parseName();
-    if (!object) return false;
-    const SourceRange range = rangeSince(name.range, tokens_);
-    if (range.end > name.range.end)
-        warnOfRefusal(tokens_.context(), range, "takes elements of arrays here within `object` only.",
-                      "write `object { ... }` around it");
-    addObject(*object);
-    return true;
+    if (object) addObject(*object);
+    return object.has_value();
 }
 
 void SceneParser::parseLight() {

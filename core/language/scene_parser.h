@@ -24,7 +24,7 @@ class SceneParser {
     void parseCamera(const Token& word);
     void parseBackground();
     /// The bare name of a declared object or light; false, and nothing is read, where there is none.
-    bool parseName(const Token& name);
+    bool parseName();
     void parseLight();
     Value parseLightValue();
     void parseObject();

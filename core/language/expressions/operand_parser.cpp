@@ -94,15 +94,17 @@ Operand ExpressionParser::withMembers(Operand operand) {
                         "Expected a component such as `x`, `red` or `gray` behind `.`, but found `" +
                             std::string(member.text.substr(0, 40)) + "`.");
         tokens_.next();
-        const int needed = gray ? 3 : *index + 1;
+        // What is missing to a brightness counts as 0.
+        const int needed = gray ? 1 : *index + 1;
         if (operand.failed) return operand;
-        if (operand.isString || operand.vector.count < std::max(needed, 2))
+        if (operand.isString || operand.vector.count < needed)
             return fail(
                 "no-component", member.range,
                 "`." + std::string(member.text) + "` asks for a component that " +
                     (operand.isNumber() || operand.isString
                          ? operand.kind() + " does not have."
                          : "a vector of " + std::to_string(operand.vector.count) + " does not have."));
+        context().markStructural(operand.parameter);
         const auto& c = operand.vector.components;
         operand = Operand::number(gray ? brightness(c[0], c[1], c[2]) : c[static_cast<std::size_t>(*index)]);
     }
