@@ -2,6 +2,7 @@
 #include "core/language/scene_builder.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/language/light_parser.h"
 #include "core/language/objects/shape_parser.h"
@@ -10,11 +11,14 @@
 #include "core/texture/cutaway_textures.h"
 #include "core/texture/surface_needs.h"
 #include "core/texture/transparency.h"
+#include "core/texture/warped_material.h"
 
 namespace isoscope {
 
 MaterialId SceneBuilder::addMaterial(const Material& material, const Transform& outer, InteriorId interior) {
     scene_.materials.push_back(moved(material, outer));
+    // In POV-Ray, textures of parts move with the whole, and are laid on the surface after that.
+    if (onSurface_) scene_.materials.back() = laidOnSurface(warped(scene_.materials.back(), {}));
     scene_.materials.back().interior = interior;
     scene_.materials.back().lightGroup = lightGroup_;
     scene_.materials.back().doubleIlluminate = doubleIlluminate_;
@@ -154,11 +158,13 @@ void SceneBuilder::addInside(const ObjectDescription& description, const Surroun
                 inside.limits.push_back(std::move(limit));
         // Of equal hits the first object shows; POV-Ray keeps a union together that has bounds, and of its
         // parts the last shows.
+        const bool outer = std::exchange(onSurface_, onSurface_ || description.partsOnSurface);
         if (inside.limits.empty())
             for (const ObjectPointer& part : description.parts) add(*part, inside, defaults);
         else
             for (std::size_t k = description.parts.size(); k-- > 0;)
                 add(*description.parts[k], inside, defaults);
+        onSurface_ = outer;
         return;
     }
     if (description.shape || !description.parts.empty()) addObject(description, around, inside);
@@ -246,7 +252,9 @@ ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const
     std::vector<ShapePointer> parts;
     // `no_shadow` on a part counts for nothing here, as in POV-Ray: only members of a plain union are objects
     // of their own.
+    const bool outer = std::exchange(onSurface_, onSurface_ || description.partsOnSurface);
     for (const ObjectPointer& part : description.parts) parts.push_back(partShape(*part, transform, from));
+    onSurface_ = outer;
     ShapePointer joined = std::make_shared<Csg>(description.operation, std::move(parts));
     if (material == noMaterial) return joined;
     return std::make_shared<PlacedShape>(std::move(joined), Transform(), material);

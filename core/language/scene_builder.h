@@ -88,6 +88,7 @@ class SceneBuilder {
     const Material* defaultSource_ = nullptr;
     int lightGroup_ = 0;  ///< of the objects that are being added
     bool doubleIlluminate_ = false;
+    bool onSurface_ = false;  ///< the parts that are being added are those of an object with `uv_mapping`
     /// Of the object at hand: the material by addCutaway(), and what it stands in for.
     MaterialId cutaway_ = noMaterial;
     MaterialId plain_ = noMaterial;

@@ -16,18 +16,21 @@ QDir folder() { return QDir(ISOSCOPE_TEST_DATA "/texture"); }
 class TexturePicturesTest : public QObject {
     Q_OBJECT
 
-    /// With POV-Ray's picture of a camera that looks at the origin: to the last step of every pixel.
-    void compareWhole(const QString& scene) {
-        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
+    /// With POV-Ray's picture of a camera that looks at the origin.
+    test::PictureDifference differenceOf(const QString& scene) {
         const std::string text =
             "#version 3.7; global_settings { assumed_gamma 1 }"
             "camera { location -3*z look_at 0 }" +
             scene.toStdString();
         const ParseResult parsed = parseScene(text);
-        QVERIFY2(parsed.ok(), test::problems(parsed).c_str());
-        QVERIFY(
-            test::comparePictures(renderImage(requestFor(parsed)), test::povrayPicture(text, {})).largest <=
-            1);
+        if (!parsed.ok()) qWarning("%s", test::problems(parsed).c_str());
+        return test::comparePictures(renderImage(requestFor(parsed)), test::povrayPicture(text, {}));
+    }
+
+    /// To the last step of every pixel.
+    void compareWhole(const QString& scene) {
+        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
+        QVERIFY(differenceOf(scene).largest <= 1);
     }
 
   private slots:
@@ -117,6 +120,32 @@ class TexturePicturesTest : public QObject {
     void backgroundsAreDarkerByWhatTheyTransmit() {
         QFETCH(QString, scene);
         compareWhole(scene);
+    }
+
+    /// Only the union's own texture was. Those of the parts move with it, before they are laid.
+    void texturesOfPartsAreLaidOnTheirSurfaces_data() {
+        QTest::addColumn<QString>("object");
+        const QString cone = "cone { -0.7*x, 0.3, 0.8*x, 0.4 texture { T } %1 }",
+                      ball = "sphere { 0.6*y, 0.4 }";
+        const auto row = [](const QString& object) { QTest::newRow(qPrintable(object)) << object; };
+        row("union { " + cone.arg("") + ball + " uv_mapping texture { T } }");
+        row("union { " + cone.arg("rotate 20") + ball +
+            " translate 0.1 uv_mapping texture { T } rotate 30 }");
+        row("difference { " + cone.arg("scale 1.2") + ball + " uv_mapping texture { T } rotate 40*y }");
+        row("union { union { " + cone.arg("") + ball + " uv_mapping translate 0.1 } rotate 10 scale 0.9 }");
+        row("#declare U = union { " + cone.arg("") + ball + " } object { U uv_mapping texture { T } }");
+        row("union { cone { -0.7*x, 0.3, 0.8*x, 0.4 uv_mapping texture { T rotate 20*z } } " + ball +
+            " uv_mapping texture { T } rotate 30 }");
+    }
+    void texturesOfPartsAreLaidOnTheirSurfaces() {
+        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
+        QFETCH(QString, object);
+        const QString scene =
+            "light_source { <-20, 30, -40>, 1 } #declare T = texture { pigment { bozo scale 0.15 "
+            "color_map { [0 rgb 1] [1 rgb x] } } }" +
+            object;
+        // But for single pixels of their edges.
+        QVERIFY(differenceOf(scene).shareWithin8 > 0.999);
     }
 
     /// Slopes were 0.5 where there is no surface.

@@ -48,6 +48,8 @@ struct ObjectDescription {
     std::optional<Material> interiorTexture;
     /// Of parts of the shape, in its own coordinates; null where it has none.
     std::shared_ptr<const std::vector<Material>> partTextures;
+    /// `uv_mapping`: textures of parts are looked up at places on their surfaces, too.
+    bool partsOnSurface = false;
     bool globalLights = false;  ///< of `light_group`: lights of no group reach its objects
     /// One for each modifier that has been said, in the order in which they go around the shape.
     std::vector<Wrapping> wrappings;

@@ -370,10 +370,16 @@ bool ObjectParser::parseFlag(Statement& statement) {
                           "leave it out");
     } else if (tokens_.accept("global_lights"))
         description.globalLights = parseOn();
-    else if (tokens_.accept("uv_mapping")) {
+    else if (const Token word = tokens_.peek(); tokens_.accept("uv_mapping")) {
+        const std::string wants = "wants `uv_mapping` before the texture of an object.";
+        if (description.material && statement.modifiers)
+            warnOfLateItem(tokens_, *statement.modifiers, word, wants);
+        else if (description.material)
+            warnOfRefusal(tokens_.context(), word.range, wants, "declare the object without a texture");
         statement.onSurface = ExpressionParser(tokens_).parseBareFlag("uv_mapping");
         if (statement.onSurface && description.material)
             description.material = laidOnSurface(warped(*description.material, {}));
+        description.partsOnSurface |= statement.onSurface;
     } else if (tokens_.accept("cutaway_textures")) {
         const SourceRange range = tokens_.lastRange();
         const bool cuts = description.operation == CsgOperation::intersection ||

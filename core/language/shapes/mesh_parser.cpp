@@ -7,6 +7,7 @@
 #include "core/language/objects/shape_parser.h"
 #include "core/language/objects/shape_reader.h"
 #include "core/language/textures/texture_parser.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/shapes/patches/mesh.h"
 #include "core/shapes/patches/triangle.h"
 
@@ -54,17 +55,32 @@ class MeshReader {
             faces_.push_back(face);
     }
 
+    /// What POV-Ray takes for a texture.
+    enum class Form { block, name };
     /// `texture { ... }` or the name of one. 0: neither comes next.
-    std::uint32_t parseTexture() {
+    std::uint32_t parseTexture(Form form) {
         TextureParser textures(tokens_, reader_.draft().defaultMaterials.back());
-        if (tokens_.accept("texture"))
+        const Token first = tokens_.peek();
+        if (tokens_.accept("texture")) {
             reader_.textures.push_back(textures.parseTexture());
-        else if (const std::optional<Material> declared = takeDeclared<Material>(tokens_))
+            if (form == Form::name)
+                warnOfRefusal(tokens_.context(), first.range, "wants the name of a declared texture here.",
+                              "declare the texture");
+        } else if (const std::optional<Material> declared = takeDeclared<Material>(tokens_)) {
             reader_.textures.push_back(*declared);
-        else
+            if (form == Form::block) warnOfName(rangeSince(first.range, tokens_));
+        } else {
             return 0;
+        }
         tokens_.accept(",");
         return static_cast<std::uint32_t>(reader_.textures.size());
+    }
+
+    void warnOfName(const SourceRange& range) {
+        ParseContext& context = tokens_.context();
+        const std::string block = "texture { " + std::string(context.sources.slice(range)) + " }";
+        warnOfRefusal(context, range, "wants `texture { ... }` around this name.", "write `" + block + "`",
+                      {{"Write `" + block + "`", range, block}});
     }
 
     ShapeReader& reader_;
@@ -127,9 +143,9 @@ class TriangleMeshReader : public MeshReader {
                 }
             } else if (tokens_.accept("texture_list")) {
                 if (!tokens_.expect("{", "to begin `texture_list`")) return;
-                for (std::uint32_t& texture : face.textures) texture = parseTexture();
+                for (std::uint32_t& texture : face.textures) texture = parseTexture(Form::name);
                 tokens_.expect("}", "to close `texture_list`");
-            } else if (const std::uint32_t texture = parseTexture()) {
+            } else if (const std::uint32_t texture = parseTexture(Form::block)) {
                 face.textures = {texture, texture, texture};
             } else {
                 return;
@@ -182,7 +198,7 @@ class IndexedMeshReader : public MeshReader {
 
     void parseTextureList() {
         int missing = parseCount("texture_list");
-        for (; missing > 0 && parseTexture() > 0; --missing) continue;
+        for (; missing > 0 && parseTexture(Form::block) > 0; --missing) continue;
         close("texture_list", missing);
     }
 
