@@ -84,8 +84,7 @@ SurfaceBounds::SurfaceBounds(std::shared_ptr<const Scene> scene, ReachSettings s
 double SurfaceBounds::reach(const glm::dvec3& direction) {
     // What may go farthest comes first: most of the others need no look then.
     std::vector<std::pair<double, const ShapePointer*>> order;
-    for (const ShapePointer& shape : shown_)
-        order.emplace_back(reachOf(boundsOf(shape), direction), &shape);
+    for (const ShapePointer& shape : shown_) order.emplace_back(reachOf(boundsOf(shape), direction), &shape);
     std::stable_sort(order.begin(), order.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     double farthest = -infinity;
