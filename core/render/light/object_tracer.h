@@ -56,8 +56,9 @@ class ObjectTracer {
     };
     void add(const SceneObject& object) {
         objects_.push_back({&object, object.shape->boundsWithin(object.shape->bounds())});
-        const Bounds &box = objects_.back().bounds, whole = object.shape->boundsWithin({});
-        boundsCut_ |= box.low != whole.low || box.high != whole.high;
+        // But for rounding: both go through the shape's transforms.
+        const Bounds box = grown(grown(objects_.back().bounds)), whole = object.shape->boundsWithin({});
+        boundsCut_ |= !box.contains(whole.low) || !box.contains(whole.high);
         allHaveMaterials_ &= object.material != noMaterial;
     }
     void buildBvh();
