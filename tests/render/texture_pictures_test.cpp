@@ -16,21 +16,22 @@ QDir folder() { return QDir(ISOSCOPE_TEST_DATA "/texture"); }
 class TexturePicturesTest : public QObject {
     Q_OBJECT
 
-    /// With POV-Ray's picture of a camera that looks at the origin.
-    test::PictureDifference differenceOf(const QString& scene) {
+    /// Both pictures, of a camera that looks at the origin.
+    template <class Agree>
+    void compare(const QString& scene, Agree agree) {
+        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
         const std::string text =
             "#version 3.7; global_settings { assumed_gamma 1 }"
             "camera { location -3*z look_at 0 }" +
             scene.toStdString();
         const ParseResult parsed = parseScene(text);
-        if (!parsed.ok()) qWarning("%s", test::problems(parsed).c_str());
-        return test::comparePictures(renderImage(requestFor(parsed)), test::povrayPicture(text, {}));
+        QVERIFY2(parsed.ok(), test::problems(parsed).c_str());
+        QVERIFY(agree(test::comparePictures(renderImage(requestFor(parsed)), test::povrayPicture(text, {}))));
     }
 
     /// To the last step of every pixel.
     void compareWhole(const QString& scene) {
-        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
-        QVERIFY(differenceOf(scene).largest <= 1);
+        compare(scene, [](const test::PictureDifference& found) { return found.largest <= 1; });
     }
 
   private slots:
@@ -138,14 +139,13 @@ class TexturePicturesTest : public QObject {
             " uv_mapping texture { T } rotate 30 }");
     }
     void texturesOfPartsAreLaidOnTheirSurfaces() {
-        if (!test::hasPovray()) QSKIP(test::povrayIsMissing);
         QFETCH(QString, object);
-        const QString scene =
-            "light_source { <-20, 30, -40>, 1 } #declare T = texture { pigment { bozo scale 0.15 "
-            "color_map { [0 rgb 1] [1 rgb x] } } }" +
-            object;
         // But for single pixels of their edges.
-        QVERIFY(differenceOf(scene).shareWithin8 > 0.999);
+        compare(
+            "light_source { <-20, 30, -40>, 1 } #declare T = texture { pigment { bozo scale 0.15 color_map { "
+            "[0 rgb 1] [1 rgb x] } } }" +
+                object,
+            [](const test::PictureDifference& found) { return found.shareWithin8 > 0.999; });
     }
 
     /// Slopes were 0.5 where there is no surface.

@@ -11,7 +11,8 @@ bool spreadsEvenly(const LightSource& light);
 
 /// Sets toLight, distance and strength of all points as POV-Ray 3.7 spreads the light of a source, shadows
 /// aside: spotlight and cylinder fall off between `radius` and `falloff`, all weaken with distance when
-/// fadeDistance or fadePower say so. Checked against POV-Ray's pictures.
+/// fadeDistance or fadePower say so. Behind a parallel light that fades by an odd power the strength is
+/// negative. Checked against POV-Ray's pictures.
 void findArrival(const LightSource& light, SurfacePoints& points);
 
 }  // namespace isoscope

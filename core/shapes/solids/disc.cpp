@@ -31,8 +31,10 @@ bool Disc::contains(const glm::dvec3& point, TraceContext&) const {
 Bounds Disc::bounds() const {
     constexpr double halfThickness = 1e-3;
     const glm::dvec3& n = normal_;
-    // Against the z axis there is no shortest turn; the square is the same.
-    const double part = n.z > -1 ? 1 / (1 + n.z) : 0;
+    // 1 / (1 + n.z), which would lose its digits close to the negative z axis. On it there is no shortest
+    // turn; the square is the same.
+    const double across = n.x * n.x + n.y * n.y;
+    const double part = across > 0 ? (1 - n.z) / across : 0;
     const glm::dvec3 right(1 - n.x * n.x * part, -n.x * n.y * part, -n.x);
     const glm::dvec3 up(-n.x * n.y * part, 1 - n.y * n.y * part, -n.y);
     const glm::dvec3 reach = radius_ * (glm::abs(right) + glm::abs(up)) + halfThickness * glm::abs(n);
