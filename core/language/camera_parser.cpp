@@ -78,8 +78,12 @@ bool CameraParser::parseItem(CameraStatement& statement) {
         else
             statement.angle = degrees;
         // Of a spherical camera; the comma may be missing.
-        if (tokens_.accept(",") || ExpressionParser(tokens_).atExpression())
+        if (tokens_.accept(",") || ExpressionParser(tokens_).atExpression()) {
             statement.verticalAngle = ExpressionParser(tokens_).parseFloat();
+            if (statement.kind != CameraKind::spherical)
+                warnOfRefusal(tokens_.context(), rangeSince(word.range, tokens_),
+                              "takes a second `angle` in `spherical` cameras alone.", "leave it out");
+        }
         return true;
     }
     return parseBlur(statement) || parseNormal(statement) || parseLeftOut();

@@ -8,6 +8,7 @@
 #include "core/language/objects/object_parser.h"
 #include "core/language/objects/transform_parser.h"
 #include "core/language/scene_builder.h"
+#include "core/language/textures/color_start.h"
 #include "core/language/tokens/block_words.h"
 #include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/unknown_name.h"
@@ -100,7 +101,14 @@ void LightParser::parseStart(LightSource& light) {
     ExpressionParser expressions(tokens_);
     light.location = expressions.parseVector();
     tokens_.accept(",");
-    light.color = expressions.parseColor();
+    if (!isWithoutColor(tokens_)) {
+        light.color = expressions.parseColor();
+        return;
+    }
+    light.color = {0, 0, 0};
+    tokens_.context().warning("empty-color", tokens_.lastRange(),
+                              "This light has no colour, which makes it black.",
+                              "write `rgb 1` behind its place");
 }
 
 bool LightParser::parseItem(LightSource& light) {

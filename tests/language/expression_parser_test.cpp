@@ -198,6 +198,11 @@ class ExpressionParserTest : public QObject {
         row("rgb (1 < 2)", "color <1, 1, 1, 0, 0>");
         row("rgbf 0.5", "color <0.5, 0.5, 0.5, 0.5, 0>");
         row("rgbt <1, 2, 3, 4>", "color <1, 2, 3, 0, 4>");
+        row("color",
+            "color <0, 0, 0, 0, 0> | 2:14: warning: There is no value behind `color`, which makes it black.");
+        row("rgbt <1, 2, 3, 4, 5>",
+            "color <1, 2, 3, 0, 4> | 2:14: warning: `rgbt` expects 4 components, but all 5 of this color are "
+            "taken.");
         row("rgbft <1, 2, 3, 4, 5>", "color <1, 2, 3, 4, 5>");
         row("color red 1 green 0.5", "color <1, 0.5, 0, 0, 0>");
         row("red 1 green 2", "color <1, 2, 0, 0, 0>");
@@ -315,7 +320,8 @@ class ExpressionParserTest : public QObject {
             "1:1: error: `substr` asks for characters outside the string, which has 3.");
         row("chr(-1)", "1:1: error: `chr` needs the number of a character, 0 to 65535.");
         row("dimensions(Q)", "1:12: error: `dimensions` asks for an array, but this is not declared.");
-        row("rgb <1, 2, 3, 4>", "1:1: error: `rgb` expects 3 components, but this has 4.");
+        row("rgb <1, 2, 3, 4>",
+            "1:1: warning: `rgb` expects 3 components, but all 4 of this color are taken.");
         row("rgb <1, 2, 3, 4, 5>",
             "1:1: warning: `rgb` expects 3 components, but all 5 of this color are taken.");
     }

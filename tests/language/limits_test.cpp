@@ -146,7 +146,7 @@ class LimitsTest : public QObject {
     void cutsOffNesting_data() {
         QTest::addColumn<QString>("piece");
         for (const char* piece :
-             {"(", "<", "-", "!", "sin(", "rgb ", "color ", "(1 ? ", "concat(", "F(", "B[", "array[1] {",
+             {"(", "<", "-", "!", "sin(", "rgb ", "color rgb ", "(1 ? ", "concat(", "F(", "B[", "array[1] {",
               "M(", "#if (", "#declare A = ", "#while (", "#debug ", "{", "#if (1) "})
             QTest::newRow(piece) << QString(piece);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colour expressions of ExpressionParser.
 #include "core/language/expressions/expression_parser.h"
+#include "core/language/textures/color_start.h"
 #include "core/language/tokens/nesting_guard.h"
 #include "core/scene/scene.h"
 #include "core/texture/image_file.h"
@@ -43,7 +44,14 @@ Operand ExpressionParser::colorExpression() {
     bool any = false, failed = false;
     // `color rgb 1 filter 0.5`, `color red 1 green 1`, `Red transmit 0.5`: channels may follow. Another
     // `color` or `rgb` begins the next colour of a list.
-    while (isColorWord(tokens_.peek())) tokens_.next();
+    std::optional<Token> word;
+    if (isColorWord(tokens_.peek())) word = tokens_.next();
+    if (word && (isColorWord(tokens_.peek()) || isWithoutColor(tokens_))) {
+        context().warning(
+            "empty-color", word->range,
+            "There is no value behind `" + std::string(word->text) + "`, which makes it black.");
+        return Operand::of(color);
+    }
     while (!failed) {
         if (!any && isColorKeyword(tokens_.peek())) {
             const Token keyword = tokens_.next();
@@ -89,21 +97,14 @@ void ExpressionParser::applyColorKeyword(const Token& keyword, const Operand& va
     const auto count = static_cast<std::size_t>(value.vector.count);
     VectorValue v = value.vector;
     if (count == 1) v = widened(v, static_cast<int>(channels));
-    if (count > channels) {
-        if (count == 5)
-            context().warning("suspicious-color", keyword.range,
-                              "`" + std::string(keyword.text) + "` expects " + std::to_string(channels) +
-                                  " components, but all 5 of this color are taken.",
-                              "leave `" + std::string(keyword.text) + "` out");
-        else
-            fail("bad-vector", keyword.range,
-                 "`" + std::string(keyword.text) + "` expects " + std::to_string(channels) +
-                     " components, but this has " + std::to_string(count) + ".");
-    }
+    if (count > channels)
+        context().warning("suspicious-color", keyword.range,
+                          "`" + std::string(keyword.text) + "` expects " + std::to_string(channels) +
+                              " components, but all " + std::to_string(count) + " of this color are taken.",
+                          "leave `" + std::string(keyword.text) + "` out");
     color.components = widened(v, 5).components;
     if (stored) decodeStored(keyword, color);
-    if (count == 5) return;
-    for (std::size_t i = channels; i < 5; ++i) color.components[i] = 0;
+    for (std::size_t i = std::max(channels, count); i < 5; ++i) color.components[i] = 0;
     if (letters == "rgbt") {
         color.components[4] = color.components[3];
         color.components[3] = 0;

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 
+#include "core/language/expressions/expression_parser.h"
 #include "core/language/expressions/value.h"
 #include "core/language/tokens/povray_refusals.h"
+#include "core/language/tokens/words.h"
 
 namespace isoscope {
 
@@ -23,6 +25,14 @@ bool atColor(TokenStream& tokens) {
     const auto* array = std::get_if<std::shared_ptr<ArrayValue>>(&value->data);
     return isVector(*value) ||
            (array && *array && std::any_of((*array)->elements.begin(), (*array)->elements.end(), isVector));
+}
+
+bool isWithoutColor(TokenStream& tokens) {
+    const Token& token = tokens.peek();
+    const bool isUnknown = token.kind == TokenKind::word && !isReservedWord(token.text);
+    const bool isChannel = token.is("filter") || token.is("transmit") || token.is("alpha");
+    return token.kind != TokenKind::end && !isUnknown && !isChannel && !atColor(tokens) &&
+           !ExpressionParser(tokens).atExpression();
 }
 
 void warnOfBareVector(TokenStream& tokens) {

@@ -72,7 +72,9 @@ bool FinishParser::parseDiffuse() {
     if (!tokens_.accept("diffuse")) return false;
     finish_.diffuseAlbedo = tokens_.accept("albedo");
     finish_.diffuse = ExpressionParser(tokens_).parseFloat();
-    if (tokens_.accept(",")) finish_.diffuseBack = ExpressionParser(tokens_).parseFloat();
+    tokens_.accept(",");
+    ExpressionParser back(tokens_);
+    if (back.atExpression()) finish_.diffuseBack = back.parseFloat();
     return true;
 }
 

@@ -223,7 +223,7 @@ bool NormalParser::parseSetting() {
 /// A normal behind `checker` and the like.
 bool NormalParser::parseListItem() {
     if (!normal_ || normal_->mapKind != MapKind::list || !tokens_.peek().is("normal")) return false;
-    reader_.noteEntry();
+    reader_.noteEntry(ownEntries_ ? normal_->entries.size() : 0);
     tokens_.next();
     if (!ownEntries_) normal_->entries.clear();
     ownEntries_ = true;

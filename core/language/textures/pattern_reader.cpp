@@ -20,6 +20,7 @@
 #include "core/language/textures/warp_parser.h"
 #include "core/texture/tables/density_table.h"
 #include "core/texture/tables/image_table.h"
+#include "core/texture/own_colors.h"
 #include "core/texture/pigment_function.h"
 #include "core/texture/surface_needs.h"
 
@@ -82,10 +83,16 @@ void PatternReader::skipLeftOut() {
 
 bool PatternReader::countsEntries() const { return isDiscrete(pattern.kind) || isObject_; }
 
-void PatternReader::noteEntry() {
+void PatternReader::noteEntry(std::size_t before) {
+    const SourceRange& range = tokens_.peek().range;
+    const std::size_t most = ownColors(isObject_ ? PatternKind::function : pattern.kind).size();
     if (isObject_ && !opensList_)
-        warnOfRefusal(tokens_.context(), tokens_.peek().range,
+        warnOfRefusal(tokens_.context(), range,
                       "wants the entries of an `object` pattern inside of its braces.", "move them there");
+    else if (before == most)
+        warnOfRefusal(tokens_.context(), range,
+                      "takes " + std::to_string(most) + " entries behind this pattern.",
+                      "leave the others out");
 }
 
 bool PatternReader::parseName() {

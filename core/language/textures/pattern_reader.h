@@ -22,8 +22,9 @@ class PatternReader {
     bool opensList() const { return opensList_; }
     /// Whether the values of the pattern count the entries of a list, which stands in place of a map.
     bool countsEntries() const;
-    /// To be called before an entry of such a list: warns where POV-Ray takes none.
-    void noteEntry();
+    /// To be called before an entry of such a list, which has `before` of them: warns where POV-Ray takes
+    /// none.
+    void noteEntry(std::size_t before);
     /// Reads a modifier, if one comes next: turbulence, frequency, wave types, warps, transformations...
     bool parseModifier();
     /// Reads over the name of a pattern that is left out, with its arguments.

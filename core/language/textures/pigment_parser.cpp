@@ -208,7 +208,7 @@ bool PigmentParser::parseOpenList() {
 
 bool PigmentParser::parseColorSetting() {
     if (tokens_.accept("quick_color") || tokens_.accept("quick_colour")) {
-        ExpressionParser(tokens_).parseColor();
+        if (!isWithoutColor(tokens_)) ExpressionParser(tokens_).parseColor();
         return true;
     }
     const Token token = tokens_.peek();
@@ -241,13 +241,20 @@ bool PigmentParser::parseListItem() {
         tokens_.accept(",");
     };
     const bool isColor = atColor(tokens_) || tokens_.peek().kind == TokenKind::number;
-    if (isColor || tokens_.peek().is("pigment")) reader_.noteEntry();
+    if (!isColor && !tokens_.peek().is("pigment")) return false;
+    const std::size_t before = ownEntries_ ? mapped_->entries.size() : 0;
+    reader_.noteEntry(before);
+    if (before > 0 && isColor != listsColors_)
+        warnOfRefusal(tokens_.context(), tokens_.peek().range,
+                      "wants colours alone or pigments alone behind this pattern.",
+                      "write the colours as `pigment { ... }`");
+    listsColors_ = isColor;
     // As in POV-Ray, numbers are greys here.
     if (isColor) {
         add(SolidPigment{ExpressionParser(tokens_).parseColor(), {}});
         return true;
     }
-    if (!tokens_.accept("pigment")) return false;
+    tokens_.next();
     PigmentParser inner(tokens_);
     add(inner.parse(SolidPigment{}));
     failed_ |= inner.failed_;
@@ -337,9 +344,12 @@ void PigmentParser::parseColorEntry() {
         const SourceRange range = tokens_.peek().range;
         const std::optional<Value> value = expressions.parseValue();
         if (const auto* end = value ? std::get_if<NumberValue>(&value->data) : nullptr) {
-            tokens_.accept(",");
+            if (tokens_.accept(",")) warnOfLastComma(tokens_);
             mapped_->entries.back().pigment = SolidPigment{expressions.parseColor(), {}};
-            tokens_.accept(",");
+            if (tokens_.accept(",")) warnOfLastComma(tokens_);
+            if (!tokens_.peek().is("color") && !tokens_.peek().is("colour"))
+                warnOfMissing(tokens_.context(), tokens_.peek().range,
+                              "wants `color` in front of the second colour of an entry.", "color");
             mapped_->entries.push_back({end->value, SolidPigment{expressions.parseColor(), {}}});
         } else if (const auto* color = value ? std::get_if<VectorValue>(&value->data) : nullptr) {
             const auto& c = color->components;

@@ -51,7 +51,8 @@ class PigmentParser {
     PatternReader reader_;
     SolidPigment solid_;
     std::optional<MappedPigment> mapped_;
-    bool ownEntries_ = false;  ///< the entries are of this block, not of the pigment that it began from
+    bool listsColors_ = false;  ///< the last entry of its list is a colour
+    bool ownEntries_ = false;   ///< the entries are of this block, not of the pigment that it began from
     ItemOrder order_{"pigment"};
     std::string leftOut_;     ///< the pattern that is not simulated
     bool onSurface_ = false;  ///< `uv_mapping`

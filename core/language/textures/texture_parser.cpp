@@ -314,7 +314,8 @@ bool TextureParser::parseMapItem(Material& material) {
         const bool opensList = !average && reader_.opensList();
         mapped_->kind = average ? MapKind::average : reader_.countsEntries() ? MapKind::list : MapKind::blend;
         if (opensList) {
-            while (tokens_.accept("texture")) addEntry();
+            while (addListEntry()) {
+            }
             closeTextures("object");
         }
         return true;
@@ -332,8 +333,12 @@ bool TextureParser::parseMapItem(Material& material) {
         parseTiles();
         return true;
     }
-    if (!mapped_ || mapped_->kind != MapKind::list || !tokens_.peek().is("texture")) return false;
-    reader_.noteEntry();
+    return mapped_ && mapped_->kind == MapKind::list && addListEntry();
+}
+
+bool TextureParser::addListEntry() {
+    if (!tokens_.peek().is("texture")) return false;
+    reader_.noteEntry(mapped_->entries.size());
     tokens_.next();
     addEntry();
     return true;

@@ -34,6 +34,8 @@ class TextureParser {
     void parseBody(Material& material, std::string_view end, std::string_view keyword);
     bool parseTextureItem(Material& material);
     bool parseMapItem(Material& material);
+    /// `texture { ... }`, the next entry of a list; false, and nothing is read, where there is none.
+    bool addListEntry();
     void addEntry();
     void parseTiles();
     void parseMaterialMap();
