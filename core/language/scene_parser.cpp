@@ -74,12 +74,29 @@ bool SceneParser::parseKnown(const Token& word) {
         parseBackground();
     else if (tokens_.accept("default"))
         parseDefault();
+    else if (tokens_.accept("declare") || tokens_.accept("include"))
+        runBareDirective(word);
     else if (const StatementDescription* statement = findStatement(word.text)) {
         tokens_.next();
         statement->parse(tokens_, draft_);
     } else
         return parseName();
     return true;
+}
+
+void SceneParser::runBareDirective(const Token& word) {
+    const std::string directive = "#" + std::string(word.text);
+    std::vector<QuickFix> fixes;
+    if (word.range.file == 0)
+        fixes.push_back({"Add `#`", {word.range.file, word.range.begin, word.range.begin}, "#"});
+    tokens_.context().report({Severity::warning,
+                              "missing-hash",
+                              word.range,
+                              "A `#` is missing in front of `" + std::string(word.text) + "`.",
+                              "write `" + directive + "`",
+                              {},
+                              std::move(fixes)});
+    tokens_.runDirective(word);
 }
 
 bool SceneParser::parseName() {

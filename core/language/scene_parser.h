@@ -25,6 +25,8 @@ class SceneParser {
     void parseBackground();
     /// The bare name of a declared object or light; false, and nothing is read, where there is none.
     bool parseName();
+    /// `declare` or `include`, taken, without the `#` that was not wanted before POV-Ray 3.
+    void runBareDirective(const Token& word);
     void parseLight();
     Value parseLightValue();
     void parseObject();

@@ -48,6 +48,11 @@ class TokenStreamTest : public QObject {
         row("#for (I, 0, 1, 0.1) a #end", "a a a a a a a a a a a");
         row("#for (I, 3, 1, -1) a #end", "a a a");
         row("#for (I, 3, 1) a #end b", "b");
+        row("#for (I, 3, 1) a #end #ifdef (I) b #end", "b");
+        row("#for (I 0 4 2) a #end", "a a a");
+        row("##if (1) a # #end b", "a b");
+        row("# box a",
+            "box a | 1:1: warning: `#` is not followed by the word of a directive, so it is passed over.");
         row("#for (I, 1, 5) a #declare I = I + 1; #end", "a a a");
         row("#for (I, 1, 2) #for (J, 1, 2) a #end b #end", "a a b a a b");
         row("#switch (3) #case (1) a #break #case (3) b #case (4) c #break #else d #end e", "b c e");

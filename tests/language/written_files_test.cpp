@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
 #include "core/language/parse.h"
 
@@ -42,6 +43,56 @@ class WrittenFilesTest : public QObject {
             "#for (I, 1, 256) #fopen F \"a.txt\" write #write (F, S) #fclose F #end sphere { 0, 1 }");
         QCOMPARE(parsed.writtenFiles.at("a.txt").size(), std::size_t(1) << 20);
         QCOMPARE(parsed.diagnostics.front().severity, Severity::note);
+    }
+
+    /// What POV-Ray 3.7 reads: one token behind a value goes with it, be it another value, and a comma at the
+    /// end of a file has one more reading behind it, which leaves the variable as it was.
+    void filesAreReadAsPovrayReadsThem_data() {
+        QTest::addColumn<QString>("content");
+        QTest::addColumn<QString>("values");
+        QTest::addColumn<QString>("id");
+        const auto row = [](const char* content, const char* values, const char* id = "") {
+            QTest::newRow(content) << content << values << id;
+        };
+        row("1, 2, 3", "1,1,1;2,2,2;3,3,3;");
+        row("1, 2, 3,", "1,1,1;2,2,2;3,3,3;3,3,3;");
+        row("1; 2:3", "1,1,1;2,2,2;3,3,3;");
+        row("1 2 3", "1,1,1;3,3,3;", "lost-value");
+        row("1, - 4, +5", "1,1,1;-4,-4,-4;5,5,5;");
+        row("1 - 4", "1,1,1;4,4,4;", "lost-value");
+        row("/* a */ 1, // b\\n2", "1,1,1;2,2,2;");
+        row("<1 2, 3,>, <-1, - 2, +3>", "1,2,3;-1,-2,3;");
+        row("<1, 2, 3> <4, 5>, 6", "1,2,3;4,4,4;5,5,5;5,5,5;", "lost-value");
+        row("1, yes", "1,1,1;1,1,1;", "bad-value");
+        row("1, --2", "1,1,1;1,1,1;", "bad-value");
+        row("1,, 2", "1,1,1;1,1,1;", "bad-value");
+        row("1, pi", "1,1,1;1,1,1;", "bad-value");
+    }
+    void filesAreReadAsPovrayReadsThem() {
+        QFETCH(QString, content);
+        QFETCH(QString, values);
+        QFETCH(QString, id);
+        const ParseResult parsed = parseScene(
+            "#fopen F \"f\" write #write (F, \"" + content.toStdString() +
+            "\") #fclose F #fopen F \"f\" read #declare S = \"\"; #while (defined(F)) #read (F, A) "
+            "#declare S = concat(S, vstr(3, A + <0, 0, 0>, \",\", 0, 0), \";\"); #end "
+            "#debug S sphere { 0, 1 }");
+        QStringList said, ids;
+        for (const Diagnostic& diagnostic : parsed.diagnostics) {
+            if (diagnostic.id == "debug-directive") said.append(QString::fromStdString(diagnostic.message));
+            if (diagnostic.id.ends_with("-value")) ids.append(QString::fromStdString(diagnostic.id));
+        }
+        QCOMPARE(said, QStringList(values));
+        QCOMPARE(ids.value(0), id);
+    }
+
+    void elementsOfArraysAreRead() {
+        const ParseResult parsed = parseScene(
+            "#fopen F \"f\" write #write (F, \"7, 8\") #fclose F #fopen F \"f\" read "
+            "#declare A = array[2][2] { { 1, 2 }, { 3, 4 } } #read (F, A[1][0], A[0][1]) "
+            "#error str(A[0][0] * 1000 + A[0][1] * 100 + A[1][0] * 10 + A[1][1], 0, 0)");
+        QVERIFY(
+            std::ranges::any_of(parsed.diagnostics, [](const Diagnostic& d) { return d.message == "1874"; }));
     }
 
     /// A vector has 2 to 5 components: what a sixth would be written to is not its own.

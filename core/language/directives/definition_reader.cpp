@@ -23,13 +23,14 @@ struct DefinitionReader::Target {
 };
 
 void DefinitionReader::declare(bool local, DirectiveScope& scope) {
+    bool isNumeric = false;
     do {
-        readOne(local, scope);
+        isNumeric = readOne(local, scope);
     } while (tokens_.peek().is(",") && (tokens_.next(), true) && !tokens_.cutOff());
-    if (tokens_.accept(";")) return;
+    tokens_.state_->spareSemicolon = tokens_.accept(";") && isNumeric;
 }
 
-void DefinitionReader::readOne(bool local, DirectiveScope& scope) {
+bool DefinitionReader::readOne(bool local, DirectiveScope& scope) {
     Target target;
     target.scopeCount = tokens_.context().symbols.scopeCount();
     const bool understood = readTarget(target);
@@ -37,7 +38,7 @@ void DefinitionReader::readOne(bool local, DirectiveScope& scope) {
     if (!(understood ? tokens_.expect("=", purpose) : tokens_.accept("="))) {
         skipLine(target.name.range);
         if (understood) tokens_.context().failedNames.emplace(target.name.text);
-        return;
+        return false;
     }
     scope.beginValue();
     std::optional<SourceRange> literal;
@@ -48,7 +49,7 @@ void DefinitionReader::readOne(bool local, DirectiveScope& scope) {
             skipRest();
             if (understood) tokens_.context().failedNames.emplace(target.name.text);
         }
-        return;
+        return false;
     }
     ExpressionParser expressions(tokens_);
     const bool needsSemicolon =
@@ -70,6 +71,7 @@ void DefinitionReader::readOne(bool local, DirectiveScope& scope) {
             number->parameter = sliderFor(std::string(target.name.text), number->value, *literal);
     }
     assign(target, std::move(*value), local);
+    return needsSemicolon;
 }
 
 void DefinitionReader::skipRest() {

@@ -31,7 +31,8 @@ class DefinitionReader {
     bool readTarget(Target& target);
     void assign(const Target& target, Value value, bool local);
     void assignComponent(const Target& target, const Value& value);
-    void readOne(bool local, DirectiveScope& scope);
+    /// True when the value is a number or a vector.
+    bool readOne(bool local, DirectiveScope& scope);
     void skipRest();
     /// Up to the next `;`, or the end of the line in which `start` begins.
     void skipLine(const SourceRange& start);

@@ -44,18 +44,24 @@ const std::vector<std::string>& DirectiveReader::words() {
 }
 
 void DirectiveReader::run(const Token& hash) {
-    const NestingGuard guard(tokens_);
-    if (!guard.ok()) return;
-    const Token word = tokens_.raw();
-    range_ = {hash.range.file, hash.range.begin, word.range.end};
-    word_ = "`#" + std::string(word.text.substr(0, 40)) + "`";
-    if (word.kind != TokenKind::word) {
+    Token word = tokens_.raw();
+    while (word.is("#")) word = tokens_.raw();
+    const bool isDirective = std::ranges::binary_search(words(), word.text);
+    if (word.kind != TokenKind::word || (!isDirective && isReservedWord(word.text))) {
         context().warning("unknown-directive", hash.range,
                           "`#` is not followed by the word of a directive, so it is passed over.");
         // What stands there is read as if there were no `#`.
         if (word.kind != TokenKind::end) tokens_.state_->ahead.push_back(word);
         return;
     }
+    run({hash.range.file, hash.range.begin, word.range.end}, word);
+}
+
+void DirectiveReader::run(const SourceRange& range, const Token& word) {
+    const NestingGuard guard(tokens_);
+    if (!guard.ok()) return;
+    range_ = range;
+    word_ = "`#" + std::string(word.text.substr(0, 40)) + "`";
     using Runner = void (*)(DirectiveReader&, const Token&);
     using Reader = DirectiveReader;
     static const std::map<std::string_view, Runner> runners{
@@ -258,17 +264,19 @@ void DirectiveReader::runFor() {
         context().error("bad-name", name.range, "Expected the name of the loop's variable after `#for (`.");
     block.variable = std::string(name.text);
     ExpressionParser expressions(tokens_);
-    tokens_.expect(",", "behind the variable of `#for`");
+    tokens_.accept(",");  // POV-Ray forgives missing commas
     const double first = expressions.parseFloat();
-    tokens_.expect(",", "between the first and the last value of `#for`");
+    tokens_.accept(",");
     block.last = expressions.parseFloat();
-    if (tokens_.accept(",")) block.step = expressions.parseFloat();
+    if (tokens_.accept(",") || !tokens_.peek().is(")")) block.step = expressions.parseFloat();
     tokens_.expect(")", "to close the head of `#for`");
     scope_->settle();
     if (block.step == 0)
         context().error("endless-loop", range_, "The step of this `#for` is 0, so it would never end.");
-    if (!named || block.step == 0 || !forGoesOn(block, first)) return skipToEnd(block.range);
+    if (!named || block.step == 0) return skipToEnd(block.range);
+    // The variable is there even where the loop has no round.
     context().symbols.declareLocal(block.variable, {NumberValue{first}});
+    if (!forGoesOn(block, first)) return skipToEnd(block.range);
     block.again = tokens_.state_->frames.back().lexer.offset();
     blocks().push_back(block);
 }
@@ -327,7 +335,7 @@ bool DirectiveReader::matches(double selector, bool range) {
     tokens_.expect("(", "after `#range`");
     ExpressionParser expressions(tokens_);
     const double low = expressions.parseFloat();
-    tokens_.expect(",", "between the bounds of `#range`");
+    tokens_.accept(",");
     const double high = expressions.parseFloat();
     tokens_.expect(")", "to close `#range`");
     scope_->settle();

@@ -19,8 +19,10 @@ class DirectiveReader {
 
     /// `hash` is the `#`, already taken; its word follows.
     void run(const Token& hash);
+    /// The same behind the directive's word, taken as well; `range` is that of both.
+    void run(const SourceRange& range, const Token& word);
 
-    /// Every word that may follow `#`.
+    /// Every word that may follow `#`, in alphabetical order.
     static const std::vector<std::string>& words();
 
   private:
@@ -53,6 +55,9 @@ class DirectiveReader {
     std::optional<std::string> contentOf(const std::string& name, const SourceRange& range);
     void runFileClose();
     void runFileRead();
+    /// One value of the file into the variable `name`, or into `element` of the array of this name, unless
+    /// null. True when the file has no more, and is closed, or cannot be read.
+    bool readFromFile(const Token& handle, const Token& name, Value* element);
     void runFileWrite();
     void runUnknown(const Token& word);
 

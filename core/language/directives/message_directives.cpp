@@ -10,10 +10,28 @@
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/expressions/value_reader.h"
 #include "core/language/scene_draft.h"
+#include "core/language/tokens/povray_refusals.h"
 #include "core/language/tokens/token_stream_state.h"
 #include "core/language/tokens/words.h"
 
 namespace isoscope {
+
+namespace {
+
+bool isColor(const Value& value) {
+    const auto* vector = std::get_if<VectorValue>(&value.data);
+    return vector && vector->color;
+}
+
+/// Whether POV-Ray's `#read` puts another value in its place.
+bool isReadable(const Value& value) {
+    const auto* vector = std::get_if<VectorValue>(&value.data);
+    return std::holds_alternative<NumberValue>(value.data) ||
+           std::holds_alternative<std::string>(value.data) ||
+           (vector && vector->count == 3 && !vector->color);
+}
+
+}  // namespace
 
 void DirectiveReader::runVersion() {
     scope_->beginValue();
@@ -114,6 +132,11 @@ void DirectiveReader::runFileOpen() {
                                "Expected `read`, `write` or `append` behind the name of the file.");
     if (handle.empty() || isReservedWord(handle))
         return context().error("bad-name", range_, "Expected a name for the file behind `#fopen`.");
+    if (const Value* declared = context().symbols.find(handle))
+        warnOfRefusal(context(), range_,
+                      "wants a name that is not declared behind `#fopen`, but `" + handle + "` is " +
+                          kindOf(*declared) + ".",
+                      "`#fclose` or `#undef` it before");
     if (!tokens_.charge(TokenStream::stepsPerItem, range_)) return;
     if (mode.is("read")) {
         std::optional<std::string> content = contentOf(name, range);
@@ -124,7 +147,7 @@ void DirectiveReader::runFileOpen() {
                                                 "\" was not found beside the scene or in the library paths."),
                                    asset.hint);
         }
-        context().textFiles.openToRead(handle, std::move(*content));
+        context().textFiles.openToRead(handle, name, std::move(*content));
     } else {
         // The picture is whole all the same.
         context().note("file-not-written", range_, "`" + name + "` " + std::string(TextFiles::keptNote));
@@ -162,39 +185,79 @@ void DirectiveReader::runFileRead() {
     bool ended = false;
     for (;;) {
         Token name = tokens_.nextName();
-        while (name.is(",")) name = tokens_.nextName();
-        if (name.kind != TokenKind::word) {
-            if (!name.is(")"))
-                context().error("expected-token", name.range,
-                                "Expected the name of a variable, or `)` to close `#read`.");
+        if (name.is(",")) name = tokens_.nextName();
+        for (; name.is(","); name = tokens_.nextName())
+            warnOfSuperfluous(context(), name.range, "takes one comma here.");
+        if (name.is(")")) return;
+        if (name.kind != TokenKind::word || isReservedWord(name.text)) {
+            context().error("expected-token", name.range,
+                            "Expected the name of a variable, or `)` to close `#read`.");
             return;
         }
-        if (ended) continue;
-        std::optional<TextFiles::Read> read = context().textFiles.read(std::string(handle.text));
-        if (!read) {
-            context().error(
-                "not-open", handle.range,
-                "`" + std::string(handle.text) + "` is not the name of a file that is open for reading.");
-            read = TextFiles::Read{{}, true};
+        std::optional<ElementPlace> element;
+        if (tokens_.peek().is("[")) {
+            const Value* whole = context().symbols.find(name.text);
+            const auto* array = whole ? std::get_if<std::shared_ptr<ArrayValue>>(&whole->data) : nullptr;
+            if (array) element = ExpressionParser(tokens_).parseElementPlace(*array);
+            if (!element) return;
         }
-        if (read->value) context().symbols.declare(std::string(name.text), std::move(*read->value));
-        ended = read->atEnd;
-        if (!ended) continue;
-        context().textFiles.close(std::string(handle.text));
-        context().symbols.undefine(handle.text);
+        if (!ended) ended = readFromFile(handle, name, element ? &element->value() : nullptr);
     }
+}
+
+bool DirectiveReader::readFromFile(const Token& handle, const Token& name, Value* element) {
+    const std::string file(handle.text);
+    std::optional<TextFiles::Read> read = context().textFiles.read(file);
+    if (!read) {
+        context().error("not-open", handle.range,
+                        "`" + file + "` is not the name of a file that is open for reading.");
+        return true;
+    }
+    if (!read->wrong.empty())
+        context().error("bad-value", name.range,
+                        "\"" + read->file + "\" has `" + read->wrong +
+                            "` where a float, a vector or a string must stand.",
+                        "`#read` knows constants alone: -1.5, <1, 2, 3>, \"text\"");
+    if (!read->lost.empty())
+        context().warning("lost-value", name.range,
+                          "\"" + read->file + "\" has `" + read->lost +
+                              "` behind a value; one word there is passed over, as by POV-Ray.",
+                          "put a comma behind each value");
+    const Value* before = element ? element : context().symbols.find(name.text);
+    if (before && !isReadable(*before))
+        warnOfRefusal(context(), name.range,
+                      "reads into new names, floats, vectors of three and strings, but this is " +
+                          kindOf(*before) + ".",
+                      "`#undef` it before, or give the element a value");
+    if (read->value && element)
+        *element = std::move(*read->value);
+    else if (read->value)
+        context().symbols.declare(std::string(name.text), std::move(*read->value));
+    if (read->atEnd) {
+        context().textFiles.close(file);
+        context().symbols.undefine(file);
+    }
+    return read->atEnd;
 }
 
 void DirectiveReader::runFileWrite() {
     if (!tokens_.expect("(", "after `#write`")) return;
     const Token handle = tokens_.nextName();
-    // POV-Ray forgives missing commas.
-    for (tokens_.accept(","); !tokens_.peek().is(")") && tokens_.peek().kind != TokenKind::end;
-         tokens_.accept(",")) {
-        const SourceRange start = tokens_.peek().range;
+    // POV-Ray forgives missing commas and further ones.
+    for (;;) {
+        while (tokens_.accept(",")) {
+        }
+        const Token first = tokens_.peek();
+        if (first.is(")") || first.kind == TokenKind::end) break;
+        const SourceRange start = first.range;
         const std::optional<Value> value = ValueReader(tokens_).read();
         if (!value) break;
         const std::optional<std::string> text = writtenForm(*value);
+        const Value* named = first.kind == TokenKind::word ? context().symbols.find(first.text) : nullptr;
+        const bool counts = named && !std::holds_alternative<std::shared_ptr<ArrayValue>>(named->data);
+        if (first.kind == TokenKind::word && isColor(counts ? *named : *value))
+            warnOfRefusal(context(), rangeSince(start, tokens_), "writes no colours to files.",
+                          "write its components as a vector");
         if (!text)
             context().error("bad-value", rangeSince(start, tokens_),
                             "Files hold floats, vectors and strings, but this is " + kindOf(*value) + ".");

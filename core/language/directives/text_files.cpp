@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/directives/text_files.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/language/tokens/lexer.h"
@@ -15,35 +16,30 @@ std::string printed(double value) {
     return std::isnan(value) && std::signbit(value) ? "-nan" : generalNumber(value, digits);
 }
 
-/// A number with its sign.
+/// A number with its sign, if it has one.
 std::optional<double> readNumber(Lexer& lexer, Token token) {
-    double sign = 1;
-    while (token.is("-") || token.is("+")) {
-        if (token.is("-")) sign = -sign;
-        token = lexer.next();
-    }
-    if (token.is("true") || token.is("yes") || token.is("on")) return sign;
-    if (token.is("false") || token.is("no") || token.is("off")) return 0;
+    const double sign = token.is("-") ? -1 : 1;
+    if (token.is("-") || token.is("+")) token = lexer.next();
     if (token.kind != TokenKind::number) return std::nullopt;
     return sign * token.number;
 }
 
+/// Two to five numbers up to the closing `>`, with commas behind them or without.
 std::optional<Value> readVector(Lexer& lexer) {
     VectorValue vector;
     vector.count = 0;
-    while (vector.count < 5) {
-        const std::optional<double> number = readNumber(lexer, lexer.next());
+    Token token = lexer.next();
+    while (!token.is(">") && vector.count < 5) {
+        const std::optional<double> number = readNumber(lexer, token);
         if (!number) return std::nullopt;
         vector.components[static_cast<std::size_t>(vector.count++)] = *number;
-        const Token behind = lexer.next();
-        if (behind.is(">")) return vector.count >= 2 ? std::optional<Value>(Value{vector}) : std::nullopt;
-        if (!behind.is(",")) return std::nullopt;
+        token = lexer.next();
+        if (token.is(",")) token = lexer.next();
     }
-    return std::nullopt;
+    return token.is(">") && vector.count >= 2 ? std::optional<Value>(Value{vector}) : std::nullopt;
 }
 
-std::optional<Value> readValue(Lexer& lexer) {
-    const Token token = lexer.next();
+std::optional<Value> readValue(Lexer& lexer, const Token& token) {
     if (token.is("<")) return readVector(lexer);
     if (token.kind == TokenKind::string) {
         std::optional<std::uint32_t> badEscape;
@@ -51,6 +47,11 @@ std::optional<Value> readValue(Lexer& lexer) {
     }
     const std::optional<double> number = readNumber(lexer, token);
     return number ? std::optional<Value>(Value{NumberValue{*number}}) : std::nullopt;
+}
+
+bool beginsValue(const Token& token) {
+    return token.kind == TokenKind::number || token.kind == TokenKind::string || token.is("<") ||
+           token.is("-");
 }
 
 }  // namespace
@@ -69,8 +70,8 @@ void TextFiles::openToWrite(const std::string& handle, const std::string& file, 
     open_[handle] = Open{true, file, {}, 0};
 }
 
-void TextFiles::openToRead(const std::string& handle, std::string content) {
-    open_[handle] = Open{false, {}, std::move(content), 0};
+void TextFiles::openToRead(const std::string& handle, const std::string& file, std::string content) {
+    open_[handle] = Open{false, file, std::move(content), 0};
 }
 
 bool TextFiles::write(const std::string& handle, std::string_view text) {
@@ -88,19 +89,21 @@ std::optional<TextFiles::Read> TextFiles::read(const std::string& handle) {
     Lexer lexer(open.content, 0);
     lexer.seek(open.at);
     Read result;
-    result.value = readValue(lexer);
-    if (!result.value) {
+    result.file = open.file;
+    const Token first = lexer.next();
+    if (first.kind != TokenKind::end) result.value = readValue(lexer, first);
+    if (!result.value || lexer.takeMistake()) {
+        constexpr std::uint32_t shown = 40;  // bytes
+        const std::uint32_t begin = first.range.begin;
+        result.wrong = open.content.substr(begin, std::min(lexer.offset() - begin, shown));
+        result.value.reset();
         result.atEnd = true;
         return result;
     }
-    std::uint32_t behind = lexer.offset();
-    Token next = lexer.next();
-    if (next.is(",")) {
-        behind = lexer.offset();
-        next = lexer.next();
-    }
-    open.at = behind;
-    result.atEnd = next.kind == TokenKind::end;
+    const Token behind = lexer.next();
+    if (beginsValue(behind)) result.lost = behind.text;
+    result.atEnd = behind.kind == TokenKind::end;
+    open.at = lexer.offset();
     return result;
 }
 

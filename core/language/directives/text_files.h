@@ -33,25 +33,30 @@ class TextFiles {
     /// that is open already then stands for the new file.
     void openToWrite(const std::string& handle, const std::string& file, bool append);
     /// `#fopen` with `read`; `content` is the whole text of the file, read from its beginning.
-    void openToRead(const std::string& handle, std::string content);
+    void openToRead(const std::string& handle, const std::string& file, std::string content);
     /// `#fclose`: frees the handle and keeps what was written; nothing happens when it is not open.
     void close(const std::string& handle) { open_.erase(handle); }
 
     /// False when the handle is not open for writing, or the limit is reached.
     bool write(const std::string& handle, std::string_view text);
 
-    /// What one `#read` of a value finds.
+    /// What one `#read` of a value finds. As in POV-Ray one token behind a value, mostly a comma, goes with
+    /// it, whatever it is: of `1 2 3` the 2 is lost, and a file with a comma at its end has one more reading,
+    /// which finds nothing.
     struct Read {
         std::optional<Value> value;  ///< float, vector or string; empty at the end and at anything else
         bool atEnd = false;          ///< nothing is left behind the value, or there was none
+        std::string wrong;           ///< what stands where a value must; empty at the end
+        std::string lost;            ///< what stands behind the value, where that is the start of another one
+        std::string file;            ///< the file's name
     };
-    /// The next value, and the comma behind it. Empty when the handle is not open for reading.
+    /// The next value. Empty when the handle is not open for reading.
     std::optional<Read> read(const std::string& handle);
 
   private:
     struct Open {
         bool writing = false;
-        std::string file;     ///< where it is written
+        std::string file;
         std::string content;  ///< what is read
         std::uint32_t at = 0;
     };

@@ -108,9 +108,9 @@ void ObjectQueries::pay(const Token& name, const TraceContext& context) {
 
 Operand ObjectQueries::trace(const Token& name, const ObjectPointer& object) {
     ExpressionParser expressions(tokens_);
-    tokens_.expect(",", "and where the ray of `trace` begins");
+    tokens_.accept(",");  // as everywhere, POV-Ray forgives missing commas
     const glm::dvec3 from = expressions.parseVector();
-    tokens_.expect(",", "and the direction of `trace`");
+    tokens_.accept(",");
     const glm::dvec3 direction = expressions.parseVector();
     Hit hit;
     bool found = false;
@@ -127,12 +127,15 @@ Operand ObjectQueries::trace(const Token& name, const ObjectPointer& object) {
         pay(name, context);
     }
     // Nothing may be peeked at: the name may be new, or a macro's.
-    if (tokens_.accept(",")) assignNormal(found ? hit.normal : glm::dvec3(0));
+    const Token behind = tokens_.nextName();
+    if (behind.is(")"))
+        tokens_.pushBack(behind);
+    else
+        assignNormal(behind.is(",") ? tokens_.nextName() : behind, found ? hit.normal : glm::dvec3(0));
     return vectorOperand(found ? hit.point : glm::dvec3(0));
 }
 
-void ObjectQueries::assignNormal(const glm::dvec3& normal) {
-    const Token word = tokens_.nextName();
+void ObjectQueries::assignNormal(const Token& word, const glm::dvec3& normal) {
     if (word.kind != TokenKind::word) {
         tokens_.context().error(
             "expected-name", word.range,
@@ -148,7 +151,7 @@ void ObjectQueries::assignNormal(const glm::dvec3& normal) {
 }
 
 Operand ObjectQueries::inside(const Token& name, const ObjectPointer& object) {
-    tokens_.expect(",", "and the point of `inside`");
+    tokens_.accept(",");
     const glm::dvec3 point = ExpressionParser(tokens_).parseVector();
     if (!object || !finite(point)) return Operand::number(0);
     TraceContext context = tracingWith(tokens_.context());

@@ -26,7 +26,8 @@ class ObjectQueries {
     Operand trace(const Token& name, const ObjectPointer& object);
     Operand inside(const Token& name, const ObjectPointer& object);
     Operand extent(const Token& name, const ObjectPointer& object);
-    void assignNormal(const glm::dvec3& normal);
+    /// The third argument of `trace`, a name that may be new.
+    void assignNormal(const Token& word, const glm::dvec3& normal);
     ObjectPointer parseObject(const Token& name);
     ShapePointer shapeOf(const ObjectPointer& object);
     /// The step budget pays for what a query costs.

@@ -188,7 +188,7 @@ Operand FunctionCaller::callDimensions(const Token& name) {
     }
     double result = static_cast<double>(counted->dimensions.size());
     if (name.is("dimension_size")) {
-        tokens_.expect(",", "and the number of the dimension");
+        tokens_.accept(",");
         const SourceRange at = tokens_.peek().range;
         const double dimension = expressions_.parseFloat();
         if (!(dimension >= 1 && dimension < result + 1)) {
@@ -208,7 +208,7 @@ Operand FunctionCaller::callTransform(const Token& name) {
     if (!tokens_.expect("(", "and the arguments of `" + std::string(name.text) + "`"))
         return expressions_.fail({}, {}, {});
     const glm::dvec3 vector = expressions_.parseVector();
-    tokens_.expect(",", "and the name of a transform");
+    tokens_.accept(",");
     const Token transform = tokens_.next();
     const Value* value =
         transform.kind == TokenKind::word ? expressions_.context().symbols.find(transform.text) : nullptr;

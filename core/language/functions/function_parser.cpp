@@ -66,6 +66,7 @@ FunctionValue FunctionParser::parse() {
 bool FunctionParser::parseParameterList(std::vector<std::string>& names) {
     if (!tokens_.accept("(")) return true;
     bool understood = true;
+    // POV-Ray forgives missing commas, but none behind the last.
     do {
         const Token name = tokens_.peek();
         if (name.kind != TokenKind::word) {
@@ -76,7 +77,7 @@ bool FunctionParser::parseParameterList(std::vector<std::string>& names) {
         tokens_.next();
         understood &= acceptableParameter(name);
         names.emplace_back(name.text);
-    } while (tokens_.accept(","));
+    } while (tokens_.accept(",") || tokens_.peek().kind == TokenKind::word);
     if (understood && names.size() > parameterLimit) {
         context().error("too-many-parameters", tokens_.lastRange(),
                         "A function has at most " + std::to_string(parameterLimit) + " parameters.");

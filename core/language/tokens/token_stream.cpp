@@ -286,6 +286,9 @@ Token TokenStream::fetch() {
         const std::size_t top = state.frames.size() - 1;
         const bool atFloor = top == state.floor;
         Token token = raw();
+        const bool isSpare = state.spareSemicolon && token.is(";");
+        state.spareSemicolon = state.spareSemicolon && token.kind == TokenKind::end;
+        if (isSpare) continue;
         if (token.kind == TokenKind::end) {
             if (!atFloor && !state.cutOff) {
                 leaveFrame();
@@ -311,6 +314,10 @@ Token TokenStream::fetch() {
             return left;
         }
     }
+}
+
+void TokenStream::runDirective(const Token& word) {
+    if (state_->ahead.empty()) DirectiveReader(*this).run(word.range, word);
 }
 
 bool TokenStream::endsValue(const Token& token) const {

@@ -62,6 +62,9 @@ class TokenStream {
     /// Adds the brace behind the token taken last; nothing in a text other than the scene.
     std::vector<QuickFix> braceFix(std::string_view brace = "}") const;
 
+    /// Runs the directive of a word, `declare`, that stands without a `#` and was taken last.
+    void runDirective(const Token& word);
+
     /// Diagnostics, symbols and options of this parse; shared with the parsers.
     ParseContext& context() { return context_; }
     /// Range of the token taken last.

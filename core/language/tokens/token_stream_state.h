@@ -55,6 +55,9 @@ struct TokenStream::State {
     };
 
     std::vector<TokenFrame> frames;
+    /// The next token is passed over if it is a `;`: POV-Ray takes two behind the number or vector of a
+    /// `#declare`, the first of which may be the last token of a macro.
+    bool spareSemicolon = false;
     std::vector<Token> ahead;  ///< tokens to be given next, the last one first
     std::size_t floor =
         0;  ///< the directive at hand began in this frame and may not read on in the one below
