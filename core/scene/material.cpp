@@ -36,14 +36,15 @@ std::size_t shownAtOnce(const Material& material) {
     return shown;
 }
 
-Finish withoutAlbedo(Finish finish) {
+Finish plainFinish(Finish finish) {
+    finish.diffuse = std::max(0.0, finish.diffuse);
     if (finish.diffuseAlbedo) {
         finish.diffuse *= (finish.brilliance + 1) / 2;
         finish.diffuseBack *= (finish.brilliance + 1) / 2;
     }
     if (finish.phongAlbedo) finish.phong *= (finish.phongSize + 1) / 2;
-    if (finish.specularAlbedo && finish.roughness > 0) {
-        const double exponent = 1 / finish.roughness;
+    if (finish.specularAlbedo) {
+        const double exponent = finish.specularExponent();
         finish.specular *= (exponent + 2) / (4 * (2 - std::exp2(-exponent / 2)));
     }
     finish.diffuseAlbedo = finish.phongAlbedo = finish.specularAlbedo = false;

@@ -26,7 +26,7 @@ struct Finish {
     double phongSize = 40;
     double specular = 0;
     double roughness = 0.05;
-    bool diffuseAlbedo = false, phongAlbedo = false, specularAlbedo = false;  ///< see withoutAlbedo()
+    bool diffuseAlbedo = false, phongAlbedo = false, specularAlbedo = false;  ///< see plainFinish()
     double metallic = 0;
     double crand = 0;
     Color reflectionMinimum{};  ///< of light that falls in straight
@@ -42,6 +42,8 @@ struct Finish {
     /// Keywords of the scene that have no effect here ("subsurface"), for the list of what was left out.
     std::vector<std::string> notSimulated;
 
+    /// Of the cosine of `specular`; POV-Ray takes 0 where `roughness` is 0.
+    double specularExponent() const { return roughness != 0 ? 1 / roughness : 0; }
     /// Whether it mirrors some light at some angle.
     bool reflects() const {
         const auto some = [](const Color& c) { return c.red != 0 || c.green != 0 || c.blue != 0; };
@@ -49,9 +51,9 @@ struct Finish {
     }
 };
 
-/// `albedo` gives what a surface returns of all light in all; the finish that returns as much, without it
-/// (POV-Ray 3.7, measured).
-Finish withoutAlbedo(Finish finish);
+/// The finish without `albedo`, which gives what a surface returns of all light in all, that returns as much;
+/// where `diffuse` is negative, it returns nothing by that (POV-Ray 3.7, measured).
+Finish plainFinish(Finish finish);
 
 struct SurfaceNormal;
 struct MappedTexture;

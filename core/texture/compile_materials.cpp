@@ -51,7 +51,7 @@ class MaterialCompiler {
     }
 
     void compilePlain(Material& material) {
-        material.finish = withoutAlbedo(std::move(material.finish));
+        material.finish = plainFinish(std::move(material.finish));
         if (const auto* mapped = std::get_if<std::shared_ptr<const MappedPigment>>(&material.pigment)) {
             const CompiledPigment& compiled = pigment(*mapped);
             material.pigmentTape = compiled.tape;

@@ -143,6 +143,22 @@ class EffectPicturesTest : public QObject {
         QVERIFY(darker > 500);
     }
 
+    /// Grain stopped where a surface returns nothing; POV-Ray's goes on, off the light of its own.
+    void grainTakesAwayMoreThanTheDiffuseLight() {
+        const Image image = renderImage(
+            requestFor(
+                parseScene("camera { location -5*z angle 2 } light_source { -9*z, 1 }"
+                           "sphere { 0, 1 pigment { rgb 1 } finish { ambient 0.5 diffuse 0.1 crand 0.4 } }")),
+            1);
+        double sum = 0;
+        for (const auto& pixel : image.pixels) {
+            QVERIFY(pixel[0] > 0.19F && pixel[0] < 0.61F);
+            sum += pixel[0];
+        }
+        const double mean = sum / static_cast<double>(image.pixels.size());
+        QVERIFY2(std::abs(mean - 0.4) < 0.01, qPrintable(QString::number(mean)));
+    }
+
     void lightsOfAGroupReachItsObjectsOnly() {
         const std::string view = "camera { orthographic location -5*z look_at 0 right 4*x up 3*y }";
         const std::string ball = "sphere { 0, 1 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }";

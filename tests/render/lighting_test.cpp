@@ -43,6 +43,8 @@ std::vector<LightingCase> finishCases() {
         [](LightingCase& c) { c.finish.phong = 0.7, c.finish.phongSize = 3, c.finish.metallic = 1; });
     add("specular", [](LightingCase& c) { c.finish.specular = 0.6, c.finish.roughness = 0.1; });
     add("broad specular", [](LightingCase& c) { c.finish.specular = 0.6, c.finish.roughness = 1; });
+    add("roughness of 0", [](LightingCase& c) { c.finish.specular = 0.2, c.finish.roughness = 0; });
+    add("negative roughness", [](LightingCase& c) { c.finish.specular = 0.02, c.finish.roughness = -0.5; });
     add("metallic specular",
         [](LightingCase& c) { c.finish.specular = 0.6, c.finish.roughness = 0.5, c.finish.metallic = 0.7; });
     add("light from behind", [](LightingCase& c) {

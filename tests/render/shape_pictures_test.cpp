@@ -64,6 +64,10 @@ class ShapePicturesTest : public QObject {
             "quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -2.32, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, "
             "1.68, 0, 0, 0, 0, 1, 0, -2.32, 0, 0.7056> sturm rotate -40*x }");
         add("superellipsoid", "superellipsoid { <0.3, 0.2> scale 0.9 rotate <20, 30, 0> }");
+        // These took for ever: powers of small exponents are too small for doubles.
+        add("superellipsoid_square_across", "superellipsoid { <1e-3, 0.5> scale 0.9 rotate <20, 30, 0> }");
+        add("superellipsoid_square_along", "superellipsoid { <0.5, 1e-4> scale 0.9 rotate <20, 30, 0> }");
+        add("superellipsoid_limit", "superellipsoid { <0, 0.5> scale 0.9 rotate <20, 30, 0> }");
         add("superellipsoid_star", "superellipsoid { <2.5, 2.5> scale 1.2 rotate <20, 30, 0> }");
         add("blob",
             "blob { threshold 0.6 sphere { <0.75, 0, 0>, 1, 1 } sphere { <-0.375, 0.65, 0>, 1, 1 } "

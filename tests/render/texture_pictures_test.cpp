@@ -124,6 +124,24 @@ class TexturePicturesTest : public QObject {
     }
 
     /// Only the union's own texture was. Those of the parts move with it, before they are laid.
+    /// What such surfaces return was 0, and so the mirrored light and what shines through came whole.
+    void negativeColoursTakeLightAway_data() {
+        QTest::addColumn<QString>("texture");
+        QTest::newRow("mirror") << "pigment { rgb <1, 0.5, -1> } finish { ambient 0 reflection 0.3 }";
+        QTest::newRow("clear") << "pigment { rgbt <1, 0.5, -0.2, 0.5> }";
+        QTest::newRow("pattern") << "pigment { gradient y color_map { [0 rgb <1, 0.5, -1>] [1 rgb -x] } } "
+                                    "finish { reflection 0.3 phong 1 metallic }";
+        QTest::newRow("film") << "pigment { rgb 1 } finish { ambient 0.1 irid { 20 thickness 1 } }";
+        QTest::newRow("negative diffuse")
+            << "pigment { rgb <1, 0.5, -1> } finish { diffuse -0.5 reflection 0.3 }";
+        QTest::newRow("more than clear") << "pigment { rgbt <1, 0.5, 0.2, 1.5> }";
+    }
+    void negativeColoursTakeLightAway() {
+        QFETCH(QString, texture);
+        compareWhole("background { rgb <0.2, 0.3, 0.4> } light_source { <-2, 3, -4>, 1 } sphere { 0, 1 " +
+                     texture + " }");
+    }
+
     void texturesOfPartsAreLaidOnTheirSurfaces_data() {
         QTest::addColumn<QString>("object");
         const QString cone = "cone { -0.7*x, 0.3, 0.8*x, 0.4 texture { T } %1 }",

@@ -45,9 +45,10 @@ double cylinder(const LightSource& light, const glm::dvec3& point) {
     return tight * smoothStep(-light.falloff, -light.radius, -across);
 }
 
+bool fades(const LightSource& light) { return light.fadePower > 0 && light.fadeDistance != 0; }
+
 double fading(const LightSource& light, double distance) {
-    if (!(light.fadePower > 0)) return 1;
-    if (!(light.fadeDistance > 0)) return 1;
+    if (!fades(light)) return 1;
     return 2 / (1 + std::pow(distance / light.fadeDistance, light.fadePower));
 }
 
@@ -62,8 +63,7 @@ double strengthAt(const LightSource& light, const SurfacePoints& points, std::si
 }  // namespace
 
 bool spreadsEvenly(const LightSource& light) {
-    const bool fades = light.fadePower > 0 && light.fadeDistance > 0;
-    return !fades && light.kind != LightKind::spotlight && light.kind != LightKind::cylinder;
+    return !fades(light) && light.kind != LightKind::spotlight && light.kind != LightKind::cylinder;
 }
 
 void findArrival(const LightSource& light, SurfacePoints& points) {

@@ -73,10 +73,9 @@ HWY_INLINE Triple shineOf(const SimpleSurface& surface, std::span<const glm::dve
         else
             white = returned(lighting, constant(lighting.pigment), constant(lighting.tint), normal, view,
                              toLight, constant(lighting.finish.iridThickness));
-        const Triple all = times(white, constant(lighting.light));
-        shine = plus(shine, {hn::IfThenElseZero(positive(white.x), all.x),
-                             hn::IfThenElseZero(positive(white.y), all.y),
-                             hn::IfThenElseZero(positive(white.z), all.z)});
+        const Triple arriving = constant(lighting.light);
+        shine = plus(shine, {returnedLight(white.x, arriving.x), returnedLight(white.y, arriving.y),
+                             returnedLight(white.z, arriving.z)});
     }
     return shine;
 }

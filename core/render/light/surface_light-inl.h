@@ -20,6 +20,12 @@ namespace isoscope::HWY_NAMESPACE {
 
 HWY_INLINE hn::Mask<Doubles> positive(Vector a) { return hn::Gt(a, hn::Zero(Doubles())); }
 
+/// The light that arrives where something returns it, else 0: endless light shows only there. Negative
+/// pigments return negative light.
+HWY_INLINE Vector returnedLight(Vector white, Vector arriving) {
+    return hn::IfThenElseZero(positive(hn::Abs(white)), hn::Mul(arriving, white));
+}
+
 /// By squaring, to within exponent * 1e-16 of itself.
 HWY_INLINE Vector wholePower(Vector base, unsigned exponent) {
     Vector result = constant(1);
@@ -64,11 +70,11 @@ HWY_INLINE Vector phong(const Finish& finish, const Triple& normal, const Triple
 
 HWY_INLINE Vector specular(const Finish& finish, const Triple& normal, const Triple& view,
                            const Triple& light) {
-    if (finish.specular <= 0 || !(finish.roughness > 0)) return hn::Zero(Doubles());
+    if (finish.specular <= 0) return hn::Zero(Doubles());
     const Triple halfway = minus(light, view);
     const Vector length = hn::Sqrt(dot(halfway, halfway));
     const Vector cosine = hn::IfThenElseZero(positive(length), hn::Div(dot(halfway, normal), length));
-    return hn::Mul(constant(finish.specular), power(cosine, 1 / finish.roughness));
+    return hn::Mul(constant(finish.specular), power(cosine, finish.specularExponent()));
 }
 
 /// What a thin film on the surface makes of the light that comes back from it, where the cosines of the

@@ -32,10 +32,8 @@ void findRange(const Lighting& lighting, const PointRange& range, SurfacePoints&
         const Triple white = returned(lighting, pigment, tint, load(points.normal, k), load(points.view, k),
                                       load(points.toLight, k), film);
         const Triple arriving = times(light, strength);
-        // Endless light shows only where something returns it.
         for (std::size_t c = 0; c < 3; ++c)
-            hn::StoreU(hn::IfThenElseZero(positive(white[c]), hn::Mul(arriving[c], white[c])), Doubles(),
-                       &points.returned[c][k]);
+            hn::StoreU(returnedLight(white[c], arriving[c]), Doubles(), &points.returned[c][k]);
     }
 }
 

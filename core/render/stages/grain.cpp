@@ -18,17 +18,18 @@ glm::dvec3 pigmentAt(const Material& material, const SurfacePoints& points, std:
     return solid ? rgb(solid->color) : glm::dvec3(0);
 }
 
-/// What the surface returns of a white light by `diffuse` alone (findReturned).
-double diffusePart(const Material& material, const SurfacePoints& points, std::size_t k) {
+/// Whether the surface returns some of a light by `diffuse` (findReturned).
+bool returnsByDiffuse(const Material& material, const SurfacePoints& points, std::size_t k) {
     const glm::dvec3 normal = at(points.normal, k);
     const bool turned = !material.normalTape && glm::dot(normal, at(points.view, k)) > 0;
     const double cosine = glm::dot(normal, at(points.toLight, k)) * (turned ? -1 : 1);
-    return cosine > 0 ? material.finish.diffuse * std::pow(cosine, material.finish.brilliance) : 0;
+    return cosine > 0 && material.finish.diffuse > 0;
 }
 
 /// `crand`: surfaces that return less of each light at random, as if they were grainy. POV-Ray takes up to
-/// `crand` off the diffuse part, the same of all channels (measured on its pictures). Here the grain depends
-/// on the place alone, so that a picture is the same each time. Stands before the shadows. Sends no rays.
+/// `crand` off the diffuse part, the same of all channels, down to negative light (measured on its pictures).
+/// Here the grain depends on the place alone, so that a picture is the same each time. Stands before the
+/// shadows. Sends no rays.
 class Grain : public LightFilter {
   public:
     /// The scene must outlive the stage.
@@ -47,14 +48,10 @@ void Grain::filter(TileScratch& work, SurfacePoints& points, std::size_t light) 
         const auto id = static_cast<std::size_t>(points.materials[k]);
         if (points.materials[k] < 0 || id >= scene_.materials.size()) continue;
         const Material& material = scene_.materials[id];
-        if (!(material.finish.crand > 0)) continue;
-        const double loss = std::min(material.finish.crand * PlaceRandom(at(points.point, k), light).next(),
-                                     diffusePart(material, points, k));
+        if (!(material.finish.crand > 0) || !returnsByDiffuse(material, points, k)) continue;
+        const double loss = material.finish.crand * PlaceRandom(at(points.point, k), light).next();
         const glm::dvec3 lost = loss * points.strength[k] * color * pigmentAt(material, points, k);
-        for (int c = 0; c < 3; ++c) {
-            double& returned = points.returned[static_cast<std::size_t>(c)][k];
-            returned = std::max(0.0, returned - lost[c]);
-        }
+        for (int c = 0; c < 3; ++c) points.returned[static_cast<std::size_t>(c)][k] -= lost[c];
     }
     work.charge(StageKind::grain);
 }

@@ -35,6 +35,10 @@ constexpr double slack = 1e-13;
 /// How far outside points still count as inside, in POV-Ray's measure of distance: (value + 1)^(n/2) - 1.
 constexpr double skin = 1e-10;
 constexpr int depthLimit = 60;
+/// Below it the powers of x and y are too small for doubles; they are taken in units of the greater one.
+constexpr double smallExponent = 0.05;
+/// Of the intervals of one ray: rays need some tens, grazing ones hundreds.
+constexpr int halvingLimit = 10'000;
 
 }  // namespace
 
@@ -42,14 +46,25 @@ constexpr int depthLimit = 60;
 struct Superellipsoid::Search {
     glm::dvec3 origin, direction;
     double narrowest;  ///< intervals are not halved further
+    int halvings = 0;
     RootSequence roots;
 
     glm::dvec3 sizeAt(double s) const { return glm::abs(origin + s * direction); }
 };
 
+double Superellipsoid::section(double x, double y) const {
+    if (e_ >= smallExponent) return std::pow(std::pow(x, 2 / e_) + std::pow(y, 2 / e_), e_ / n_);
+    const double wide = std::max(x, y), ratio = wide > 0 ? std::min(x, y) / wide : 0;
+    return std::pow(wide * std::pow(1 + std::pow(ratio, 2 / e_), e_ / 2), 2 / n_);
+}
+
+double Superellipsoid::unitOf(const glm::dvec3& p) const {
+    const double wide = std::max(p.x, p.y);
+    return e_ < smallExponent && wide > 0 ? wide : 1;
+}
+
 double Superellipsoid::value(const glm::dvec3& p) const {
-    const double section = std::pow(p.x, 2 / e_) + std::pow(p.y, 2 / e_);
-    return std::pow(section, e_ / n_) + std::pow(p.z, 2 / n_) - 1;
+    return section(p.x, p.y) + std::pow(p.z, 2 / n_) - 1;
 }
 
 void Superellipsoid::intersect(const Ray& ray, RayInterval interval, TraceContext& context,
@@ -59,7 +74,7 @@ void Superellipsoid::intersect(const Ray& ray, RayInterval interval, TraceContex
     const RayInterval inside = Bounds{glm::dvec3(-1 - room), glm::dvec3(1 + room)}.clip(ray);
     if (inside.empty() || !std::isfinite(inside.far)) return;
     // Measured from where the ray enters the box, which keeps all numbers small.
-    Search search{ray.at(inside.near), ray.direction, 1e-15 * (inside.far - inside.near), {}};
+    Search search{ray.at(inside.near), ray.direction, 1e-15 * (inside.far - inside.near), 0, {}};
     const double length = inside.far - inside.near;
     std::array<double, 5> ends{0, length, length, length, length};
     std::size_t count = 1;
@@ -89,7 +104,8 @@ void Superellipsoid::search(Search& search, double from, double to, double value
     const glm::dvec3 low = glm::min(a, b), high = glm::max(a, b);
     if (value(low) > slack || value(high) < -slack) return;
     const bool changes = (valueFrom > 0) != (valueTo > 0);
-    if (monotone(low, high, b - a) || depth == depthLimit || to - from <= search.narrowest) {
+    if (monotone(low, high, b - a) || depth == depthLimit || to - from <= search.narrowest ||
+        ++search.halvings > halvingLimit) {
         if (!changes) return;
         const auto along = [&](double s) { return value(search.sizeAt(s)); };
         search.roots.add(bracketedRoot(along, from, to, valueFrom, valueTo));
@@ -101,12 +117,14 @@ void Superellipsoid::search(Search& search, double from, double to, double value
 }
 
 bool Superellipsoid::monotone(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& speed) const {
-    const double power = 2 / e_;
-    const double sectionLow = std::pow(low.x, power) + std::pow(low.y, power);
-    const double sectionHigh = std::pow(high.x, power) + std::pow(high.y, power);
-    const Range section = powerRange(sectionLow, sectionHigh, e_ / n_ - 1);
-    const std::array<Range, 3> slopes{product(section, powerRange(low.x, high.x, power - 1)),
-                                      product(section, powerRange(low.y, high.y, power - 1)),
+    const double unit = unitOf(high);
+    const glm::dvec3 from = low / unit, to = high / unit;
+    const double power = 2 / e_, scale = unit == 1 ? 1 : std::pow(unit, 2 / n_ - 1);
+    const double sectionLow = std::pow(from.x, power) + std::pow(from.y, power);
+    const double sectionHigh = std::pow(to.x, power) + std::pow(to.y, power);
+    const Range outer = product({scale, scale}, powerRange(sectionLow, sectionHigh, e_ / n_ - 1));
+    const std::array<Range, 3> slopes{product(outer, powerRange(from.x, to.x, power - 1)),
+                                      product(outer, powerRange(from.y, to.y, power - 1)),
                                       powerRange(low.z, high.z, 2 / n_ - 1)};
     double least = 0, most = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -121,11 +139,11 @@ bool Superellipsoid::monotone(const glm::dvec3& low, const glm::dvec3& high, con
 
 glm::dvec3 Superellipsoid::normalAt(const glm::dvec3& point) const {
     const glm::dvec3 p = glm::abs(point);
-    const double section = std::pow(p.x, 2 / e_) + std::pow(p.y, 2 / e_);
-    const double outer = section > 0 ? std::pow(section, e_ / n_ - 1) : 0;
+    const double unit = unitOf(p), x = p.x / unit, y = p.y / unit;
     const auto slope = [](double a, double exponent) { return a > 0 ? std::pow(a, exponent) : 0; };
-    const glm::dvec3 size(outer * slope(p.x, 2 / e_ - 1), outer * slope(p.y, 2 / e_ - 1),
-                          slope(p.z, 2 / n_ - 1));
+    const double sum = std::pow(x, 2 / e_) + std::pow(y, 2 / e_);
+    const double outer = sum > 0 ? section(p.x, p.y) / (unit * sum) : 0;
+    const glm::dvec3 size(outer * slope(x, 2 / e_ - 1), outer * slope(y, 2 / e_ - 1), slope(p.z, 2 / n_ - 1));
     return unitNormal(
         {std::copysign(size.x, point.x), std::copysign(size.y, point.y), std::copysign(size.z, point.z)});
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "core/shapes/shape.h"
 
 namespace isoscope {
@@ -12,8 +14,8 @@ namespace isoscope {
 /// none, so that no edge is too sharp.
 class Superellipsoid : public Shape {
   public:
-    /// Both greater than 0.
-    Superellipsoid(double e, double n) : e_(e), n_(n) {}
+    /// Neither less than 0; 0 stands for the square shape that exponents towards 0 come to.
+    Superellipsoid(double e, double n) : e_(std::max(e, leastExponent)), n_(std::max(n, leastExponent)) {}
 
     /// The exponents of the formula: e shapes sections across z, n those along it; 1 is round, towards 0
     /// square.
@@ -28,7 +30,12 @@ class Superellipsoid : public Shape {
 
   private:
     struct Search;
+    static constexpr double leastExponent = 1e-6;
 
+    /// Of absolute coordinates: (x^(2/e) + y^(2/e))^(e/n).
+    double section(double x, double y) const;
+    /// What sizes across are measured in where their powers would be too small for doubles, else 1.
+    double unitOf(const glm::dvec3& p) const;
     /// Of absolute coordinates: the formula less 1.
     double value(const glm::dvec3& p) const;
     glm::dvec3 normalAt(const glm::dvec3& point) const;
