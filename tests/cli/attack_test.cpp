@@ -185,7 +185,9 @@ class AttackTest : public QObject {
         for (const char* name : {"long.pov", "long.vl"}) {
             const ProgramResult result =
                 runCli({"check", "--time-limit", "4", writeFile(folder_.path(), name, text)}, 20);
-            QVERIFY2(result.status == 1 || (result.status == 0 && text.startsWith("sphere{0,1}")),
+            // `#` without a word is passed over, as in POV-Ray, and leaves an empty scene.
+            const bool makesSense = text.startsWith("sphere{0,1}") || text.startsWith("##");
+            QVERIFY2(result.status == 1 || (result.status == 0 && makesSense),
                      name + QByteArray(" status ") + QByteArray::number(result.status) + ' ' +
                          result.errors.left(300));
             QVERIFY2(!result.errors.isEmpty(), name);
