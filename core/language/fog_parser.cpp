@@ -46,12 +46,6 @@ Fog FogParser::parse() {
         }
         passUnknownItem(tokens_, "fog");
     }
-    if (fog_.ground && fog_.altitude == 0)
-        tokens_.context().warning(
-            "flat-fog", start,
-            "POV-Ray shows all black in a fog of `fog_type 2` without `fog_alt`; here it "
-            "has no effect.",
-            "say how high it reaches, `fog_alt 1`");
     if (start.file < sources.size()) fog_.line = sources[start.file].position(start.begin).line;
     return fog_;
 }

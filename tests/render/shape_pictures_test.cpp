@@ -67,7 +67,7 @@ class ShapePicturesTest : public QObject {
         // These took for ever: powers of small exponents are too small for doubles.
         add("superellipsoid_square_across", "superellipsoid { <1e-3, 0.5> scale 0.9 rotate <20, 30, 0> }");
         add("superellipsoid_square_along", "superellipsoid { <0.5, 1e-4> scale 0.9 rotate <20, 30, 0> }");
-        add("superellipsoid_limit", "superellipsoid { <0, 0.5> scale 0.9 rotate <20, 30, 0> }");
+        add("superellipsoid_limit", "superellipsoid { <1e-300, 0.5> scale 0.9 rotate <20, 30, 0> }");
         add("superellipsoid_star", "superellipsoid { <2.5, 2.5> scale 1.2 rotate <20, 30, 0> }");
         add("blob",
             "blob { threshold 0.6 sphere { <0.75, 0, 0>, 1, 1 } sphere { <-0.375, 0.65, 0>, 1, 1 } "

@@ -81,8 +81,8 @@ ShapePointer parseDisc(ShapeReader& reader) {
 
 ShapePointer parseSuperellipsoid(ShapeReader& reader) {
     const glm::dvec2 exponents = reader.pair("exponents");
-    if (!(exponents.x >= 0 && exponents.y >= 0))
-        reader.fail(reader.range(), "The exponents of a superellipsoid must not be less than 0.");
+    if (!(exponents.x > 0 && exponents.y > 0))
+        reader.fail(reader.range(), "Both exponents of a superellipsoid must be greater than 0.");
     return std::make_shared<Superellipsoid>(exponents.x, exponents.y);
 }
 

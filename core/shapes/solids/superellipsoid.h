@@ -14,7 +14,7 @@ namespace isoscope {
 /// none, so that no edge is too sharp.
 class Superellipsoid : public Shape {
   public:
-    /// Neither less than 0; 0 stands for the square shape that exponents towards 0 come to.
+    /// Both greater than 0; those below 1e-6 stand for the square shape that they come to.
     Superellipsoid(double e, double n) : e_(std::max(e, leastExponent)), n_(std::max(n, leastExponent)) {}
 
     /// The exponents of the formula: e shapes sections across z, n those along it; 1 is round, towards 0
