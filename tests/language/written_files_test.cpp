@@ -86,6 +86,18 @@ class WrittenFilesTest : public QObject {
         QCOMPARE(ids.value(0), id);
     }
 
+    /// Else such loops go on until the budget of steps is spent.
+    void aLoopOverWhatIsNoFileEnds() {
+        for (const std::string handle : {"#declare F = 3;", "#fopen F \"f\" write"}) {
+            const ParseResult parsed =
+                parseScene(handle + " #while (defined(F)) #read (F, A) #end sphere { 0, 1 }");
+            QCOMPARE(std::ranges::count(parsed.diagnostics, "not-open", &Diagnostic::id), 1);
+            QVERIFY(std::ranges::none_of(parsed.diagnostics, [](const Diagnostic& d) {
+                return d.message.find("cut off") != std::string::npos;
+            }));
+        }
+    }
+
     void elementsOfArraysAreRead() {
         const ParseResult parsed = parseScene(
             "#fopen F \"f\" write #write (F, \"7, 8\") #fclose F #fopen F \"f\" read "

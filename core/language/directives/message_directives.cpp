@@ -211,6 +211,9 @@ bool DirectiveReader::readFromFile(const Token& handle, const Token& name, Value
     if (!read) {
         context().error("not-open", handle.range,
                         "`" + file + "` is not the name of a file that is open for reading.");
+        // Or a loop that waits for the end of the file would have none.
+        context().textFiles.close(file);
+        context().symbols.undefine(file);
         return true;
     }
     if (!read->wrong.empty())

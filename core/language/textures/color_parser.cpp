@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colour expressions of ExpressionParser.
+#include <algorithm>
+
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/textures/color_start.h"
 #include "core/language/tokens/nesting_guard.h"

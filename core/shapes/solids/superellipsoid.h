@@ -11,7 +11,7 @@ namespace isoscope {
 ///
 /// Along a ray, within one octant, everything in the formula grows with |x|, |y| and |z|: two values bound
 /// it, and two products each partial derivative. Halving goes on until these bounds show a single crossing or
-/// none, so that no edge is too sharp.
+/// none, so that no edge is too sharp; after ten thousand halvings of a ray by the signs at the ends alone.
 class Superellipsoid : public Shape {
   public:
     /// Both greater than 0; those below 1e-6 stand for the square shape that they come to.
