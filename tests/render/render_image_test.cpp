@@ -206,6 +206,30 @@ class RenderImageTest : public QObject {
             for (float channel : pixel) QVERIFY(channel >= 0 && channel <= 1);
     }
 
+    /// A camera on the wall of a room saw nothing but that wall.
+    void camerasLookPastWhatTheyTouch() {
+        const auto middle = [](const std::string& object, RootFinder finder) {
+            const ParseResult parsed =
+                parseScene("camera { location 0 look_at z } background { rgb <0, 1, 0> }" + object +
+                           "pigment { gradient z color_map { [0.5 rgb x] [0.5 rgb z] } scale 10 } finish { "
+                           "emission 1 } }");
+            RenderRequest request = requestFor(parsed.scene, 101, 75);
+            request.rootFinder = finder;
+            const Image image = renderImage(request, 1);
+            return encodePixel(image.pixels[37 * 101 + 50]);
+        };
+        for (const RootFinder finder : {RootFinder::lipschitz, RootFinder::certified}) {
+            QCOMPARE(middle("box { <-9, -9, 0>, <9, 9, 7>", finder), 0xff0000ff);
+            QCOMPARE(middle("box { <-9, -9, 0.00009>, <9, 9, 7>", finder), 0xff0000ff);
+            QCOMPARE(middle("box { <-9, -9, 0.00011>, <9, 9, 7>", finder), 0xffff0000);
+            QCOMPARE(middle("plane { -z, 0", finder), 0xff00ff00);
+            QCOMPARE(
+                middle("isosurface { function { z * (z - 6) } contained_by { box { -9, 9 } } max_gradient 20",
+                       finder),
+                0xff0000ff);
+        }
+    }
+
     void aSceneWithoutObjectsIsBackground() {
         auto scene = std::make_shared<Scene>();
         scene->background = {0.25, 0.5, 1};

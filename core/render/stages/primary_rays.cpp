@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/render/effect_reasons.h"
+#include "core/render/light/secondary_rays.h"
 #include "core/render/picture_parts.h"
 
 namespace isoscope {
@@ -40,7 +41,26 @@ void PrimaryRays::search(TileScratch& work, SampleBatch& batch) const {
     work.context.verdicts = batch.verdicts;
     work.meter(StageKind::primaryRays).rays += batch.size();
     objects_.nearest(batch.rays, work.context, work.gathered, batch.hits);
+    lookPastNearest(work, batch);
     work.context.verdicts = {};
+}
+
+/// As in POV-Ray, no camera sees what it touches.
+void PrimaryRays::lookPastNearest(TileScratch& work, SampleBatch& batch) const {
+    const std::span<const double> places(batch.hits[HitBatch::t], batch.rays.size());
+    const auto tooNear = [](double t) { return t < SecondaryRays::startTolerance; };
+    if (std::ranges::none_of(places, tooNear)) return;
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t i = 0; i < places.size(); ++i)
+        if (tooNear(places[i])) numbers.push_back(i);
+    for (const std::uint32_t i : numbers) batch.hits.limit(i, HitBatch::never);
+    RayBatch rays;
+    rays.gather(batch.rays, numbers);
+    HitBatch hits;
+    work.context.nearLimit = SecondaryRays::startTolerance;
+    objects_.nearest(rays, work.context, work.gathered, hits);
+    work.context.nearLimit = 0;
+    batch.hits.takeNearer(hits, numbers);
 }
 
 /// Whether the first and the last block of the first and of the last quarter may meet something: in a square

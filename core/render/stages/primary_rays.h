@@ -25,6 +25,7 @@ class PrimaryRays : public Stage {
 
   private:
     void search(TileScratch& work, SampleBatch& batch) const;
+    void lookPastNearest(TileScratch& work, SampleBatch& batch) const;
     bool cornersMayMeet(std::span<const SampleBatch::PixelPosition> places) const;
     void makeRays(SampleBatch& batch) const;
 
