@@ -236,16 +236,17 @@ bool LightParser::parseAreaItem(LightSource& light) {
 }
 
 bool LightParser::parseMediaItem(LightSource& light) {
-    // The rest matters only to media and photons, which are reported themselves.
     if (tokens_.accept("media_attenuation")) {
         ExpressionParser expressions(tokens_);
         light.mediaAttenuation = !expressions.atExpression() || expressions.parseBool();
         return true;
     }
     if (tokens_.accept("media_interaction")) {
-        if (ExpressionParser(tokens_).atExpression()) ExpressionParser(tokens_).parseFloat();
+        ExpressionParser expressions(tokens_);
+        light.mediaInteraction = !expressions.atExpression() || expressions.parseBool();
         return true;
     }
+    // Photons are reported themselves.
     if (!tokens_.accept("photons")) return false;
     if (tokens_.accept("{")) tokens_.skipBlock();
     return true;

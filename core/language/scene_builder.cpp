@@ -25,9 +25,10 @@ MaterialId SceneBuilder::addMaterial(const Material& material, const Transform& 
     return static_cast<MaterialId>(scene_.materials.size() - 1);
 }
 
-InteriorId SceneBuilder::addInterior(const Interior& interior, bool hollow) {
-    scene_.interiors.push_back(interior);
+InteriorId SceneBuilder::addInterior(const Interior& interior, const Transform& outer, bool hollow) {
+    scene_.interiors.push_back(moved(interior, outer));
     scene_.interiors.back().hollow = hollow;
+    scene_.interiors.back().lightGroup = lightGroup_;
     return static_cast<InteriorId>(scene_.interiors.size() - 1);
 }
 
@@ -131,7 +132,8 @@ void SceneBuilder::addInside(const ObjectDescription& description, const Surroun
     Surroundings inside = around;
     inside.transform = description.transform.then(around.transform);
     inside.hollow |= description.hollow;
-    if (description.interior) inside.interior = addInterior(*description.interior, inside.hollow);
+    if (description.interior)
+        inside.interior = addInterior(*description.interior, around.transform, inside.hollow);
     if (description.material)
         inside.material = addMaterial(ownMaterial(description, defaults), around.transform, inside.interior);
     else if (description.interiorTexture)
@@ -204,7 +206,7 @@ void SceneBuilder::addObject(const ObjectDescription& description, const Surroun
     object.interior = inside.interior;
     // Rays that go through it know it by its inside; and fog ends at what is not hollow.
     if (object.interior == noInterior && (object.transparent || (!scene_.fogs.empty() && !inside.hollow)))
-        object.interior = addInterior({}, inside.hollow);
+        object.interior = addInterior({}, {}, inside.hollow);
     Inherited from{inside.material, object.interior};
     if (description.cutawayTextures && !inside.textured)
         from.material = addCutaway(description, around.transform, inside.material);
@@ -328,7 +330,7 @@ MaterialId SceneBuilder::addCutaway(const ObjectDescription& description, const 
 SceneBuilder::Inherited SceneBuilder::inherited(const ObjectDescription& description, const Transform& outer,
                                                 const Inherited& from) {
     Inherited own = from;
-    if (description.interior) own.interior = addInterior(*description.interior, description.hollow);
+    if (description.interior) own.interior = addInterior(*description.interior, outer, description.hollow);
     if (description.material)
         own.material = addMaterial(ownMaterial(description, {}), outer, own.interior);
     else if (description.interiorTexture && from.material != noMaterial)

@@ -55,7 +55,7 @@ class SceneBuilder {
     /// The material as the shape of the description has it, where it depends on that.
     MaterialId onShape(MaterialId material, const ObjectDescription& description, const Transform& transform);
     MaterialId addMaterial(const Material& material, const Transform& outer, InteriorId interior);
-    InteriorId addInterior(const Interior& interior, bool hollow);
+    InteriorId addInterior(const Interior& interior, const Transform& outer, bool hollow);
     /// The material with this inside.
     MaterialId withInterior(MaterialId material, InteriorId interior);
     /// What the description passes on to its parts.

@@ -11,7 +11,6 @@ void reportLeftOut(ParseContext& context, const SourceRange& range, const std::s
 
 std::string notSimulatedSentence(std::string_view word) {
     static constexpr std::pair<std::string_view, std::string_view> lacks[] = {
-        {"media", ": smoke, fog and glow inside of it are missing"},
         {"photons", ": light that glass and mirrors throw on other objects is missing"},
         {"radiosity", ": light that objects throw on each other is missing"},
         {"subsurface", ": light does not shine through the surface"},

@@ -265,7 +265,7 @@ std::optional<Value> SceneParser::parseValue() {
         if (!spline) return std::nullopt;
         return Value{std::move(spline)};
     }
-    static constexpr std::array<std::string_view, 4> opaque{"media", "density", "radiosity", "material_map"};
+    static constexpr std::array<std::string_view, 2> opaque{"radiosity", "material_map"};
     if (std::find(opaque.begin(), opaque.end(), word.text) != opaque.end()) {
         tokens_.next();
         if (tokens_.accept("{")) tokens_.skipBlock();
@@ -300,6 +300,7 @@ std::optional<Value> SceneParser::parseAppearance(const Token& word) {
     if (tokens_.accept("material")) return Value{textures.parseMaterial()};
     if (tokens_.accept("pigment"))
         return Value{PigmentParser(tokens_).parse(draft_.defaultMaterials.back().pigment)};
+    if (tokens_.accept("density")) return Value{PigmentParser(tokens_).parse(SolidPigment{{1, 1, 1}, {}})};
     if (tokens_.accept("finish"))
         return Value{FinishParser(tokens_).parse(draft_.defaultMaterials.back().finish)};
     if (!PigmentParser::isMap(word.text)) return std::nullopt;

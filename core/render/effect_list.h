@@ -7,8 +7,8 @@
 /// Each has its description, `effects::KIND`, where it is drawn (effect_description.h).
 #define ISOSCOPE_EFFECTS(row)                                                                              \
     row(primaryRays) row(background) row(sky) row(surround) row(textures) row(directLight) row(projection) \
-        row(shadows) row(clearShadows) row(areaLights) row(grain) row(rainbow) row(fog) row(transparency)  \
-            row(refraction) row(reflection) row(focalBlur) row(cameraNormal)
+        row(shadows) row(clearShadows) row(areaLights) row(grain) row(rainbow) row(media) row(fog)         \
+            row(transparency) row(refraction) row(reflection) row(focalBlur) row(cameraNormal)
 
 namespace isoscope {
 

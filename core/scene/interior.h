@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace isoscope {
 /// Index into Scene::interiors.
 using InteriorId = std::int32_t;
 constexpr InteriorId noInterior = -1;
+
+struct Medium;
 
 /// What is inside of an object, for the light that goes through it: POV-Ray's `interior`.
 struct Interior {
@@ -24,8 +27,9 @@ struct Interior {
     Color fadeColor{};
     /// Fog and media reach into the object.
     bool hollow = false;
-    /// Keywords of the scene that have no effect here ("media"), for the list of what was left out.
-    std::vector<std::string> notSimulated;
+    /// What fills it, where it is hollow; none is null.
+    std::vector<std::shared_ptr<const Medium>> media;
+    int lightGroup = 0;  ///< whose lights they scatter: index into Scene::lightGroups, as of its object
 
     /// Whether light is dimmed in passing through (POV-Ray's fade_distance and fade_power).
     bool fades() const { return fadeDistance > 0; }

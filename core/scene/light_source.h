@@ -36,7 +36,8 @@ struct LightSource {
     double fadeDistance = 0;
     double fadePower = 0;
     bool shadowless = false;
-    bool mediaAttenuation = false;  ///< fog between source and surface dims it
+    bool mediaAttenuation = false;  ///< fog and media of all space between source and surface dim it
+    bool mediaInteraction = true;   ///< media scatter its light
     std::optional<LightArea> area;
     /// Only light that comes through this shape arrives, and only what lies in front of it casts shadows.
     ShapePointer projectedThrough;

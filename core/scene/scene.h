@@ -11,6 +11,7 @@
 #include "core/scene/interior.h"
 #include "core/scene/light_source.h"
 #include "core/scene/material.h"
+#include "core/scene/medium.h"
 #include "core/scene/rainbow.h"
 #include "core/shapes/isosurface/isosurface.h"
 #include "core/shapes/shape.h"
@@ -115,6 +116,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Interior> interiors;
     std::vector<Fog> fogs;
+    std::vector<std::shared_ptr<const Medium>> atmosphere;  ///< media of all space; none is null
     std::vector<Rainbow> rainbows;
     Color background{0, 0, 0, 0, 0};
     std::shared_ptr<const SkySphere> sky;  ///< null: the background alone
@@ -126,5 +128,11 @@ struct Scene {
     /// Where the `camera` block stands, when the text has one: what "write the view into the text" replaces.
     std::optional<SourceRange> cameraRange;
 };
+
+/// Whether a light shines on what belongs to a group.
+inline bool reaches(const Scene& scene, const LightSource& light, int group) {
+    return light.group == group ||
+           (light.group == 0 && scene.lightGroups[static_cast<std::size_t>(group)].globalLights);
+}
 
 }  // namespace isoscope

@@ -457,7 +457,7 @@ object { Thing transform Move scale 2 pigment { rgb <0, 1, 0> } }
 
     /// What is not simulated may be declared; its block is passed over, and what follows is read.
     void blocksThatAreNotSimulatedMayBeDeclared() {
-        for (const char* word : {"media", "density", "radiosity", "material_map"}) {
+        for (const char* word : {"radiosity", "material_map"}) {
             const ParseResult parsed = parseScene("#declare M = " + std::string(word) +
                                                   " { scattering { 1, 1 } intervals 3 }\nsphere { 0, 1 }\n");
             QVERIFY2(parsed.ok(), problems(parsed).c_str());

@@ -56,6 +56,27 @@ std::string description(const Rainbow& rainbow) {
     return all.text();
 }
 
+std::string description(const Medium& medium) {
+    const Medium usual;
+    Differences all;
+    all.add("absorption", medium.absorption, usual.absorption);
+    all.add("emission", medium.emission, usual.emission);
+    all.add("scattering", medium.scattering, usual.scattering);
+    all.add("kind", static_cast<int>(medium.kind), static_cast<int>(usual.kind));
+    all.add("eccentricity", medium.eccentricity, usual.eccentricity);
+    all.add("extinction", medium.extinction, usual.extinction);
+    all.add("adaptive", medium.adaptive, usual.adaptive);
+    all.add("intervals", medium.intervals, usual.intervals);
+    all.add("samples", medium.samples, usual.samples);
+    all.add("level", medium.refinements, usual.refinements);
+    all.add("threshold", medium.threshold, usual.threshold);
+    for (std::size_t k = 0; k < medium.layers(); ++k)
+        all.put(std::holds_alternative<SolidPigment>((*medium.densities)[k].pigment) ? "even density"
+                                                                                     : "density");
+    all.put("line " + told(medium.line));
+    return all.text();
+}
+
 std::string description(const Interior& interior) {
     const Interior usual;
     Differences all;
@@ -67,7 +88,7 @@ std::string description(const Interior& interior) {
     all.add("power", interior.fadePower, usual.fadePower);
     all.add("color", interior.fadeColor, usual.fadeColor);
     all.add("hollow", interior.hollow, usual.hollow);
-    for (const std::string& word : interior.notSimulated) all.put("without " + word);
+    for (const auto& medium : interior.media) all.put("media " + description(*medium));
     return all.text();
 }
 
@@ -166,6 +187,31 @@ class SceneValuesTest : public QObject {
         check("", "", [](const ParseResult& parsed) { return description(parsed.scene->fogs.at(0)); });
     }
 
+    void media_data() {
+        columns();
+        row("media { emission rgb 0.5 absorption rgb <0.25, 1, 0> }",
+            "absorption 0.25 1 0, emission 0.5 0.5 0.5, line 1");
+        row("media { emission absorption rgb 1 }", "absorption 1 1 1, line 1");
+        row("\nmedia { scattering { 5, rgb 1 eccentricity 0.5 extinction 0.25 } }",
+            "scattering 1 1 1, kind 5, eccentricity 0.5, extinction 0.25, line 2");
+        row("media { scattering { 7 rgb 1 } }", "scattering 1 1 1, line 1");
+        row("media { method 2 intervals 4 samples 3 6 confidence 0.9 variance 0.1 ratio 0.5 jitter 0.1 }",
+            "adaptive no, intervals 4, samples 3, line 1");
+        row("media { aa_level 2 aa_threshold 0.25 samples 20, 20 collect off }",
+            "samples 20, level 2, threshold 0.25, line 1");
+        row("media { samples 1e9 intervals 1e9 aa_level 1e9 }", "intervals 2, samples 1000, level 6, line 1");
+        row("media { density { rgb 0.5 } density { spherical density_map { [0 rgb 0] [1 granite] } } rotate "
+            "x }",
+            "even density, density, line 1");
+        row("media { density { checker density { rgb 0 } density { bozo } } }", "density, line 1");
+        row("#declare D = density { bozo } media { density { D scale 2 } }", "density, line 1");
+        row("#declare M = media { emission rgb 1 samples 4 }\nmedia { M samples 5 }",
+            "emission 1 1 1, samples 5, line 2");
+    }
+    void media() {
+        check("", "", [](const ParseResult& parsed) { return description(*parsed.scene->atmosphere.at(0)); });
+    }
+
     void rainbows_data() {
         columns();
         row("rainbow { direction z angle 42 width 5 distance 100 color_map { [0 rgb 0] [1 rgb 1] } }",
@@ -176,7 +222,8 @@ class SceneValuesTest : public QObject {
             "colors, line 1");
         row("\nrainbow { direction z angle 42 width 5 distance 100 colour_map { [0 rgb 0] [1 rgb 1] } }",
             "angle 42, width 5, distance 100, arc 360, falloff 360, 2 colors, line 2");
-        row("#declare R = rainbow { direction z angle 42 width 5 distance 100 color_map { [0 rgb 0] [1 rgb 1] } "
+        row("#declare R = rainbow { direction z angle 42 width 5 distance 100 color_map { [0 rgb 0] [1 rgb "
+            "1] } "
             "}\nrainbow { R angle 30 }",
             "angle 30, width 5, distance 100, arc 360, falloff 360, 2 colors, line 2");
     }
@@ -196,8 +243,10 @@ class SceneValuesTest : public QObject {
         row("fade_distance 2 fade_power 3 fade_color rgb <1, 0.5, 0.25>",
             "distance 2, power 3, color 1 0.5 0.25");
         row("fade_colour rgb 0.5", "color 0.5 0.5 0.5");
-        row("media { scattering { 1, 1 } } ior 1.25", "ior 1.25, without media");
-        row("media { intervals 1 } media { intervals 2 } ior 1.25", "ior 1.25, without media");
+        row("media { scattering { 4, 0.5 } } ior 1.25",
+            "ior 1.25, media scattering 0.5 0.5 0.5 filter 0.5 transmit 0.5, kind 4, line 1");
+        row("media { intervals 3 } media { samples 5, 9 }",
+            "media intervals 3, line 1, media samples 5, line 1");
     }
     void interiors() {
         check("sphere { 0, 1 interior { ", " } }", [](const ParseResult& parsed) {
@@ -216,8 +265,7 @@ class SceneValuesTest : public QObject {
         row("sphere { 0, 1 hollow off }", "sphere in line 1");
         row("sphere { 0, 1 no_image off no_reflection off hollow on }", "hollow yes, sphere in line 1");
         row("sphere { 0, 1 double_illuminate }", "both sides yes, sphere in line 1");
-        row("object { torus { 1, 0.2 } no_radiosity on sturm no_shadow }",
-            "shadow no, torus in line 1");
+        row("object { torus { 1, 0.2 } no_radiosity on sturm no_shadow }", "shadow no, torus in line 1");
         row("sphere { 0, 1 pigment { rgbt 0.5 } }", "transparent yes, sphere in line 1");
         row("sphere { 0, 1 pigment { rgbt 0.5 } interior { ior 1.5 } }",
             "transparent yes, bends yes, sphere in line 1");

@@ -175,6 +175,7 @@ std::string description(const LightSource& light) {
     all.add("fade_power", light.fadePower, usual.fadePower);
     all.add("shadowless", light.shadowless, usual.shadowless);
     all.add("dimmed", light.mediaAttenuation, usual.mediaAttenuation);
+    all.add("scattered", light.mediaInteraction, usual.mediaInteraction);
     if (light.area) {
         const LightArea& area = *light.area;
         all.put("area " + told(area.edge) + ", " + told(area.otherEdge) + ", " + told(area.columns) + " " +
@@ -444,7 +445,7 @@ class StatementValuesTest : public QObject {
         row("light_source { 0, 1 media_attenuation }",
             "kind 0, color 1 1 1 filter 1 transmit 1, dimmed yes, line 1");
         row("light_source { 0, 1 media_attenuation on media_interaction off fade_power 2 }",
-            "kind 0, color 1 1 1 filter 1 transmit 1, fade_power 2, dimmed yes, line 1");
+            "kind 0, color 1 1 1 filter 1 transmit 1, fade_power 2, dimmed yes, scattered no, line 1");
         row("light_source { 0, 1 media_attenuation off }", "kind 0, color 1 1 1 filter 1 transmit 1, line 1");
         row("light_source { 0, 1 photons { reflection on } fade_power 2 }",
             "kind 0, color 1 1 1 filter 1 transmit 1, fade_power 2, line 1");

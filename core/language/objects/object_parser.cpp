@@ -59,7 +59,6 @@ struct ObjectParser::Statement {
     std::optional<IsosurfaceParser> isosurface;
     std::vector<std::string> leftOut;  ///< sentences about its texture are added when it is complete
     SourceRange textureRange;
-    SourceRange interiorRange;
     bool drawn = true;      ///< false when nothing can be shown; the reason has been reported
     bool declared = false;  ///< begins with the name of a declared object, so that it has no parts
     bool excused = false;   ///< its shape was not understood: items that follow may be parts of it
@@ -292,6 +291,9 @@ bool ObjectParser::parseTransform(Statement& statement) {
     description.transform = description.transform.then(transform);
     for (std::optional<Material>* material : {&description.material, &description.interiorTexture})
         if (*material) *material = moved(std::move(**material), transform);
+    if (description.interior && !description.interior->media.empty())
+        description.interior =
+            std::make_shared<const Interior>(moved(Interior(*description.interior), transform));
     for (Wrapping& wrapping : description.wrappings)
         for (ClippingObject& object : wrapping.objects) object.transform = object.transform.then(transform);
     for (LightSource& light : description.lights) light = transformed(light, transform);
@@ -331,10 +333,8 @@ bool ObjectParser::parseTexture(Statement& statement) {
 }
 
 bool ObjectParser::parseInterior(Statement& statement) {
-    const Token word = tokens_.peek();
     if (!tokens_.accept("interior")) return false;
     statement.description.interior = InteriorParser(tokens_).parse();
-    statement.interiorRange = rangeSince(word.range, tokens_);
     return true;
 }
 
@@ -431,16 +431,6 @@ bool ObjectParser::parseIgnored(Statement&) {
     return false;
 }
 
-void ObjectParser::reportInterior(const Statement& statement) {
-    const std::shared_ptr<const Interior>& interior = statement.description.interior;
-    if (!interior) return;
-    const SourceRange& range =
-        statement.interiorRange.end > 0 ? statement.interiorRange : statement.textureRange;
-    if (range.end == 0) return;
-    for (const std::string& sentence : leftOutSentences(*interior))
-        reportLeftOut(tokens_.context(), range, sentence);
-}
-
 ObjectPointer ObjectParser::finish(Statement& statement) {
     ObjectDescription& description = statement.description;
     description.range = rangeSince(statement.keyword.range, tokens_);
@@ -483,7 +473,6 @@ ObjectPointer ObjectParser::finish(Statement& statement) {
         reportLeftOut(tokens_.context(), description.range,
                       "`cutaway_textures` is not simulated on objects of so many shapes.");
     }
-    reportInterior(statement);
     if (statement.firstPartMissing) {
         reportLeftOut(tokens_.context(), description.range,
                       "The difference is not drawn, because the object to cut from is left out.");

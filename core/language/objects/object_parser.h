@@ -52,7 +52,6 @@ class ObjectParser {
     bool parseTransform(Statement& statement);
     bool parseTexture(Statement& statement);
     bool parseInterior(Statement& statement);
-    void reportInterior(const Statement& statement);
     bool parseFlag(Statement& statement);
     bool parseWrapping(Statement& statement);
     /// The next object of a WrappingModifier, null when it is not drawn; nothing when none comes.

@@ -7,7 +7,7 @@
 #include "core/language/expressions/declared_value.h"
 #include "core/language/expressions/expression_parser.h"
 #include "core/language/scene_draft.h"
-#include "core/language/textures/texture_parser.h"
+#include "core/language/textures/media_parser.h"
 #include "core/language/tokens/unknown_name.h"
 
 namespace isoscope {
@@ -44,7 +44,11 @@ bool InteriorParser::parseItem() {
         interior_.dispersionSamples = samples >= 100 ? 100 : samples >= 2 ? static_cast<int>(samples) : 2;
         return true;
     }
-    return parseNumberItem() || parseLeftOut();
+    if (tokens_.accept("media")) {
+        MediaParser(tokens_).parseInto(interior_.media);
+        return true;
+    }
+    return parseNumberItem();
 }
 
 bool InteriorParser::parseNumberItem() {
@@ -63,24 +67,6 @@ bool InteriorParser::parseNumberItem() {
             return true;
         }
     return false;
-}
-
-bool InteriorParser::parseLeftOut() {
-    if (const auto opaque = takeDeclared<OpaqueValue>(tokens_)) {
-        addNotSimulated(interior_.notSimulated, opaque->keyword);
-        return true;
-    }
-    if (!tokens_.accept("media")) return false;
-    addNotSimulated(interior_.notSimulated, "media");
-    if (tokens_.accept("{")) tokens_.skipBlock();
-    return true;
-}
-
-std::vector<std::string> leftOutSentences(const Interior& interior) {
-    std::vector<std::string> sentences;
-    for (const std::string& keyword : interior.notSimulated)
-        sentences.push_back(notSimulatedSentence(keyword));
-    return sentences;
 }
 
 }  // namespace isoscope

@@ -8,7 +8,7 @@
 
 namespace isoscope {
 
-/// `interior { ... }`; Interior::notSimulated names what has no effect, such as media.
+/// `interior { ... }`.
 class InteriorParser {
   public:
     /// Lists of the words that may begin an item of the block, for "did you mean".
@@ -22,13 +22,9 @@ class InteriorParser {
   private:
     bool parseItem();
     bool parseNumberItem();
-    bool parseLeftOut();
 
     TokenStream& tokens_;
     Interior interior_;
 };
-
-/// What an interior asks for that has no effect here, as sentences.
-std::vector<std::string> leftOutSentences(const Interior& interior);
 
 }  // namespace isoscope

@@ -231,7 +231,7 @@ bool PigmentParser::parseColor() {
     return true;
 }
 
-/// A colour or pigment behind `checker` and the like.
+/// A colour, pigment or density behind `checker` and the like.
 bool PigmentParser::parseListItem() {
     if (!isList()) return false;
     const auto add = [this](Pigment pigment) {
@@ -241,7 +241,7 @@ bool PigmentParser::parseListItem() {
         tokens_.accept(",");
     };
     const bool isColor = atColor(tokens_) || tokens_.peek().kind == TokenKind::number;
-    if (!isColor && !tokens_.peek().is("pigment")) return false;
+    if (!isColor && !tokens_.peek().is("pigment") && !tokens_.peek().is("density")) return false;
     const std::size_t before = ownEntries_ ? mapped_->entries.size() : 0;
     reader_.noteEntry(before);
     if (before > 0 && isColor != listsColors_)

@@ -128,6 +128,7 @@ Material TextureParser::parseMaterial() {
             if (TransformParser(tokens_).parseModifier(transform)) {
                 material = moved(std::move(material), transform);
                 if (inner) inner = moved(std::move(*inner), transform);
+                if (inside) inside = std::make_shared<const Interior>(moved(Interior(*inside), transform));
                 continue;
             }
             if (token.kind == TokenKind::end) {

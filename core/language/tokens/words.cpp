@@ -75,7 +75,7 @@ constexpr auto described = std::to_array<Word>({
     {"local", directive},
     {"macro", directive},
     {"max_extent", sceneFunction, "max_extent(OBJECT)"},
-    {"media", keyword | notSimulated},
+    {"media", keyword},
     {"mesh2", keyword | shape, {}, 350},
     {"mesh_camera", keyword, {}, 370},
     {"min_extent", sceneFunction, "min_extent(OBJECT)"},

@@ -46,8 +46,10 @@ struct ClearShadows::Beams : public ShapeState {
     SurfacePoints points;  ///< their samples are numbers of beams
 };
 
-ClearShadows::ClearShadows(const Scene& scene, const Textures* textures)
-    : scene_(scene), textures_(textures), objects_(scene, concerns) {}
+ClearShadows::ClearShadows(const Scene& scene, const Textures* textures, bool media)
+    : scene_(scene), textures_(textures), objects_(scene, concerns) {
+    if (media) media_.emplace(scene, MediaMarch::Concerned{false, true}, nullptr);
+}
 
 void ClearShadows::filter(TileScratch& work, SurfacePoints& points, std::size_t light) const {
     if (scene_.lights[light].shadowless) return;
@@ -62,6 +64,7 @@ void ClearShadows::filter(TileScratch& work, SurfacePoints& points, std::size_t 
     for (int step = 0; !own.beams.empty() && step < surfaceLimit; ++step) {
         if (work.context.stop.stop_requested()) break;
         findSurfaces(work, own);
+        if (media_) dimByMedia(work, own, points);
         for (const Beams::Beam& beam : own.beams)
             if (beam.met)
                 for (std::size_t c = 0; c < 3; ++c)
@@ -124,6 +127,27 @@ glm::dvec3 ClearShadows::passing(const Beams& own, std::size_t k) const {
     return result * gathered(interior.caustics, cosine);
 }
 
+/// By what fills the objects that the beams are in, up to the next surface. Between the last one and the
+/// light media take nothing, as in POV-Ray.
+void ClearShadows::dimByMedia(TileScratch& work, Beams& own, SurfacePoints& points) const {
+    auto& march = work.context.state<MediaMarch::Work>(
+        &*media_, [&] { return std::make_unique<MediaMarch::Work>(work.context.parameters()); });
+    march.ways.clear();
+    for (std::size_t i = 0; i < own.beams.size(); ++i) {
+        const Beams::Beam& beam = own.beams[i];
+        if (beam.met && media_->fills(beam.inside))
+            march.ways.push_back(
+                {beam.ray, own.hits[HitBatch::t][i], beam.inside, static_cast<std::uint32_t>(i)});
+    }
+    media_->find(work, march);
+    for (const MediaMarch::Way& way : march.ways) {
+        Beams::Beam& beam = own.beams[way.sample];
+        beam.light *= way.through;
+        for (std::size_t c = 0; c < 3; ++c)
+            points.returned[c][beam.point] *= way.through[static_cast<int>(c)];
+    }
+}
+
 void ClearShadows::goOn(Beams& own) const {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < own.beams.size(); ++i) {
@@ -152,7 +176,8 @@ EffectReason reasonFor(const Scene& scene) {
 }
 
 void build(PictureParts& parts) {
-    parts.lightFilters->shadows.add(std::make_unique<ClearShadows>(parts.scene(), parts.textures));
+    parts.lightFilters->shadows.add(
+        std::make_unique<ClearShadows>(parts.scene(), parts.textures, parts.plan.has(StageKind::media)));
 }
 
 }  // namespace

@@ -126,12 +126,6 @@ void DirectLight::ownLight(SurfacePoints& points) const {
     });
 }
 
-bool DirectLight::reaches(const LightSource& light, const Material& material) const {
-    return light.group == material.lightGroup ||
-           (light.group == 0 &&
-            scene_.lightGroups[static_cast<std::size_t>(material.lightGroup)].globalLights);
-}
-
 /// Shadows are those of the area as a whole, as in POV-Ray: they weaken the sum.
 void DirectLight::gatherArea(SurfacePoints& points, std::size_t light) const {
     std::array<std::vector<double>, 3> sum;
@@ -148,7 +142,7 @@ void DirectLight::gatherArea(SurfacePoints& points, std::size_t light) const {
 void DirectLight::gather(SurfacePoints& points, const LightSource& light) const {
     findArrival(light, points);
     visitMaterials(points, [&](const Material& material, const PointRange& range) {
-        if (grouped_ && !reaches(light, material)) return clear(range, points);
+        if (grouped_ && !reaches(scene_, light, material.lightGroup)) return clear(range, points);
         findReturned(light, material, opacityRule(scene_), rgb(scene_.settings.iridWavelength), range,
                      points);
     });

@@ -33,7 +33,6 @@ class DirectLight : public Stage {
     template <class Visit>
     void visitMaterials(const SurfacePoints& points, Visit visit) const;
     void ownLight(SurfacePoints& points) const;
-    bool reaches(const LightSource& light, const Material& material) const;
     void gatherArea(SurfacePoints& points, std::size_t light) const;
     void gather(SurfacePoints& points, const LightSource& light) const;
 
