@@ -239,37 +239,54 @@ void MediaMarch::scatter(TileScratch& work, Work& own) const {
     places.clear();
     places.makeRoom(count);
     places.samples.resize(count);
-    places.materials.assign(count, noMaterial);
     for (std::size_t k = 0; k < count; ++k) {
         const Work::Sample& sample = own.samples_[own.fillings_[own.scattering_[k]].sample];
         const Way& way = own.ways[sample.way];
         const glm::dvec3 point = way.ray.at(sample.t);
         places.samples[k] = way.sample;
-        for (int c = 0; c < 3; ++c) {
-            const auto axis = static_cast<std::size_t>(c);
-            places.point[axis][k] = point[c];
-            places.view[axis][k] = way.ray.direction[c];
-            places.normal[axis][k] = -way.ray.direction[c];
-        }
+        for (int c = 0; c < 3; ++c) places.point[static_cast<std::size_t>(c)][k] = point[c];
     }
     for (std::size_t number = 0; number < scene_.lights.size(); ++number) {
         const LightSource& light = scene_.lights[number];
         if (light.shadowless || !light.mediaInteraction) continue;
         if (work.context.stop.stop_requested()) return;
         findArrival(light, places);
-        for (std::size_t k = 0; k < count; ++k) {
-            const Work::Filling& filling = own.fillings_[own.scattering_[k]];
-            const bool reached = reaches(scene_, light, filling.lightGroup);
-            const double turn = glm::dot(at(places.view, k), at(places.toLight, k));
-            const glm::dvec3 scattered = filling.density * rgb(filling.medium->scattering) *
-                                         rgb(light.color) *
-                                         (places.strength[k] * phaseFunction(*filling.medium, turn));
-            for (int c = 0; c < 3; ++c)
-                places.returned[static_cast<std::size_t>(c)][k] = reached ? scattered[c] : 0;
+        takeLit(light, own);
+        if (own.litFillings_.empty()) continue;
+        filters_->filter(work, own.litPlaces_, number);
+        for (std::size_t k = 0; k < own.litFillings_.size(); ++k)
+            own.samples_[own.fillings_[own.litFillings_[k]].sample].shine += at(own.litPlaces_.returned, k);
+    }
+}
+
+/// Of the places that scatter those that the light reaches, shadows aside, and how much of it they scatter.
+void MediaMarch::takeLit(const LightSource& light, Work& own) const {
+    const SurfacePoints& places = own.places_;
+    SurfacePoints& lit = own.litPlaces_;
+    own.litFillings_.clear();
+    lit.clear();
+    lit.makeRoom(places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const Work::Filling& filling = own.fillings_[own.scattering_[k]];
+        if (places.strength[k] == 0 || !reaches(scene_, light, filling.lightGroup)) continue;
+        const Ray& sight = own.ways[own.samples_[filling.sample].way].ray;
+        const std::size_t to = own.litFillings_.size();
+        own.litFillings_.push_back(own.scattering_[k]);
+        lit.samples.push_back(places.samples[k]);
+        lit.materials.push_back(noMaterial);
+        lit.distance[to] = places.distance[k];
+        lit.strength[to] = places.strength[k];
+        const double turn = glm::dot(sight.direction, at(places.toLight, k));
+        const glm::dvec3 scattered = filling.density * rgb(filling.medium->scattering) * rgb(light.color) *
+                                     (places.strength[k] * phaseFunction(*filling.medium, turn));
+        for (int c = 0; c < 3; ++c) {
+            const auto axis = static_cast<std::size_t>(c);
+            lit.point[axis][to] = places.point[axis][k];
+            lit.toLight[axis][to] = places.toLight[axis][k];
+            lit.view[axis][to] = sight.direction[c];
+            lit.normal[axis][to] = -sight.direction[c];
+            lit.returned[axis][to] = scattered[c];
         }
-        filters_->filter(work, places, number);
-        for (std::size_t k = 0; k < count; ++k)
-            own.samples_[own.fillings_[own.scattering_[k]].sample].shine += at(places.returned, k);
     }
 }
 

@@ -71,6 +71,8 @@ class MediaMarch {
         std::vector<Filling> fillings_;
         std::vector<std::uint32_t> scattering_;  ///< fillings, each a place in `places_`
         SurfacePoints places_;
+        std::vector<std::uint32_t> litFillings_;  ///< those that the light at hand reaches, in `litPlaces_`
+        SurfacePoints litPlaces_;
     };
 
     /// Which media count: those of all space, those of objects. None reach into what is not hollow.
@@ -99,6 +101,7 @@ class MediaMarch {
     void takeSamples(std::uint32_t way, const Medium& rules, double start, double length, Work& own) const;
     void findSamples(std::size_t first, TileScratch& work, Work& own) const;
     void scatter(TileScratch& work, Work& own) const;
+    void takeLit(const LightSource& light, Work& own) const;
     void halve(std::size_t first, std::size_t end, Work& own) const;
     static void join(Work& own);
     void addUp(std::size_t first, std::size_t end, Work& own) const;
