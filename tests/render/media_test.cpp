@@ -113,6 +113,19 @@ class MediaTest : public QObject {
         QVERIFY(find(cost, StageKind::shadows)->rays > std::uint64_t{13 * 160 * 120 / 2});
     }
 
+    /// Measured on POV-Ray's pictures: the mean of the types, whatever the media scatter.
+    void mediaTogetherTurnLightByTheMeanOfTheirTypes() {
+        const auto by = [](const std::string& media) {
+            return seen("light_source { 1000*x, 1 }" + filled(media))[0];
+        };
+        const std::string four = "media { scattering { 4, 0.02 extinction 0 } }";
+        const std::string one = "media { scattering { 1, 0.05 extinction 0 } }";
+        QVERIFY(std::abs(by(one + four) - 0.12596F) < 2e-5F);
+        QVERIFY(std::abs(by(four + one) - 0.12596F) < 2e-5F);
+        QVERIFY(std::abs(by(four) - 0.03197F) < 2e-5F);
+        QVERIFY(std::abs(by(four + "media { absorption 0 }") - 0.03599F) < 2e-5F);
+    }
+
     void lightsOfAGroupReachItsMedia() {
         const std::string light = "light_source { 1000*x, 1 }";
         const std::string haze = filled("media { scattering { 1, 0.05 extinction 0 } }");

@@ -259,17 +259,23 @@ void MediaMarch::scatter(TileScratch& work, Work& own) const {
     }
 }
 
-/// Of the places that scatter those that the light reaches, shadows aside, and how much of it they scatter.
+/// Of the places that scatter those that the light reaches, shadows aside, and how much of it they scatter:
+/// as in POV-Ray, all that is there turns light as the media do on average.
 void MediaMarch::takeLit(const LightSource& light, Work& own) const {
     const SurfacePoints& places = own.places_;
     SurfacePoints& lit = own.litPlaces_;
+    std::vector<Present> media;
+    std::uint32_t mediaOf = Work::Part::none;
     own.litFillings_.clear();
     lit.clear();
     lit.makeRoom(places.size());
     for (std::size_t k = 0; k < places.size(); ++k) {
         const Work::Filling& filling = own.fillings_[own.scattering_[k]];
         if (places.strength[k] == 0 || !reaches(scene_, light, filling.lightGroup)) continue;
-        const Ray& sight = own.ways[own.samples_[filling.sample].way].ray;
+        const std::uint32_t way = own.samples_[filling.sample].way;
+        if (way != mediaOf) media = mediaIn(own.ways[way].inside);
+        mediaOf = way;
+        const Ray& sight = own.ways[way].ray;
         const std::size_t to = own.litFillings_.size();
         own.litFillings_.push_back(own.scattering_[k]);
         lit.samples.push_back(places.samples[k]);
@@ -277,8 +283,10 @@ void MediaMarch::takeLit(const LightSource& light, Work& own) const {
         lit.distance[to] = places.distance[k];
         lit.strength[to] = places.strength[k];
         const double turn = glm::dot(sight.direction, at(places.toLight, k));
+        double phase = 0;
+        for (const Present& present : media) phase += phaseFunction(*present.medium, turn);
         const glm::dvec3 scattered = filling.density * rgb(filling.medium->scattering) * rgb(light.color) *
-                                     (places.strength[k] * phaseFunction(*filling.medium, turn));
+                                     (places.strength[k] * phase / static_cast<double>(media.size()));
         for (int c = 0; c < 3; ++c) {
             const auto axis = static_cast<std::size_t>(c);
             lit.point[axis][to] = places.point[axis][k];
