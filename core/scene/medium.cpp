@@ -6,12 +6,6 @@
 
 namespace isoscope {
 
-bool addMedium(std::shared_ptr<const Medium> medium, std::vector<std::shared_ptr<const Medium>>& media) {
-    if (media.size() >= mediaLimit) return false;
-    media.push_back(std::move(medium));
-    return true;
-}
-
 double phaseFunction(const Medium& medium, double cosine) {
     const double forward = 0.5 * (1 + cosine), g = medium.eccentricity;
     switch (medium.kind) {

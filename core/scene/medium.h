@@ -37,7 +37,7 @@ struct Medium {
 
     int line = 0;  ///< of the statement, for the plan's reasons
 
-    /// How many of them.
+    /// How many densities there are.
     std::size_t layers() const { return densities ? densities->size() : 0; }
     /// Whether lights count.
     bool scatters() const { return scattering.red != 0 || scattering.green != 0 || scattering.blue != 0; }
@@ -45,11 +45,10 @@ struct Medium {
 
 /// Media that may fill one space together.
 constexpr std::size_t mediaLimit = 10;
-/// Adds a medium to those that fill a space; false, and nothing is done, where there are too many.
-bool addMedium(std::shared_ptr<const Medium> medium, std::vector<std::shared_ptr<const Medium>>& media);
 
 /// How many times as much light as by isotropic scattering goes on at an angle, given the cosine of that
-/// between the direction of sight and the direction to the light (POV-Ray 3.7, measured).
+/// between the direction of sight and the direction to the light (docs/povray/media.md, 3). Not finite
+/// straight ahead where the eccentricity is 1.
 double phaseFunction(const Medium& medium, double cosine);
 
 /// The interior moved along with its object: its densities are.

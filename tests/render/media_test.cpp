@@ -144,6 +144,20 @@ class MediaTest : public QObject {
         QVERIFY(std::abs(seen("light_source { -50*x, 0 }" + beam + haze)[0] - 0.2F) < 1e-6F);
     }
 
+    /// Ways to lights were looked at from where none of their light is seen.
+    void onlyWhatIsLitAsksWhatMediaLeave() {
+        const auto values = [](const std::string& items) {
+            return find(costOf("camera { location <0, 1, -5> look_at 0 } plane { y, -1 pigment { rgb 1 } }"
+                               "media { absorption 0.1 density { bozo } } light_source { <0, -9, 0>, 1 "
+                               "media_interaction off " +
+                               items + " }"),
+                        StageKind::media)
+                ->evaluations;
+        };
+        QVERIFY(values("") > 0);
+        QCOMPARE(values("media_attenuation on"), values(""));
+    }
+
     void scenesWithoutMediaPayForNone() {
         const RenderStatistics cost =
             costOf("sphere { 5*z, 1 hollow interior { ior 1.5 } } light_source { 0, 1 }");

@@ -56,10 +56,10 @@ std::shared_ptr<const Medium> MediaParser::parse() {
 
 void MediaParser::parseInto(std::vector<std::shared_ptr<const Medium>>& media) {
     const SourceRange word = tokens_.lastRange();
-    if (!addMedium(parse(), media))
-        reportLeftOut(
-            tokens_.context(), word,
-            "More than " + std::to_string(mediaLimit) + " media fill one space: this one is left out.");
+    std::shared_ptr<const Medium> medium = parse();
+    if (media.size() < mediaLimit) return media.push_back(std::move(medium));
+    reportLeftOut(tokens_.context(), word,
+                  "More than " + std::to_string(mediaLimit) + " media fill one space: this one is left out.");
 }
 
 /// A ray takes so many samples and no more, so that it ends.

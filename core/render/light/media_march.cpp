@@ -2,7 +2,6 @@
 #include "core/render/light/media_march.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -160,6 +159,7 @@ void MediaMarch::takeIntervals(std::uint32_t number, const Medium& rules, Work& 
     take(end, way.distance, 1);
 }
 
+/// Of an interval of a way, as many as `rules` ask for.
 void MediaMarch::takeSamples(std::uint32_t way, const Medium& rules, double start, double length,
                              Work& own) const {
     const std::size_t count = partsOf(rules);

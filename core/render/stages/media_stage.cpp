@@ -81,10 +81,15 @@ void MediaOnLight::filter(TileScratch& work, SurfacePoints& points, std::size_t 
         this, [&] { return std::make_unique<MediaMarch::Work>(work.context.parameters()); });
     own.ways.clear();
     for (std::size_t k = 0; k < points.size(); ++k)
-        own.ways.push_back({{at(points.point, k), at(points.toLight, k)}, points.distance[k]});
+        if (at(points.returned, k) != glm::dvec3(0))
+            own.ways.push_back({{at(points.point, k), at(points.toLight, k)},
+                                points.distance[k],
+                                {},
+                                static_cast<std::uint32_t>(k)});
     media_.find(work, own);
-    for (std::size_t k = 0; k < points.size(); ++k)
-        for (std::size_t c = 0; c < 3; ++c) points.returned[c][k] *= own.ways[k].through[static_cast<int>(c)];
+    for (const MediaMarch::Way& way : own.ways)
+        for (std::size_t c = 0; c < 3; ++c)
+            points.returned[c][way.sample] *= way.through[static_cast<int>(c)];
     work.charge(StageKind::media);
 }
 
