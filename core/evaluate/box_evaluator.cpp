@@ -150,9 +150,11 @@ void BoxEvaluator::read(Slot result, std::span<Interval> out) const {
 
 void BoxEvaluator::placeArguments(const BoxLanes& boxes, std::size_t count) {
     const auto arguments = static_cast<std::size_t>(std::min(3, tape_->argumentCount()));
+    // Vectors have no more than 8 lanes.
+    const std::size_t end = std::min(batchLanes, (count + 7) / 8 * 8);
     for (std::size_t k = 0; k < arguments; ++k) {
         double* lanes = workspace_.slot(static_cast<Slot>(k));
-        for (std::size_t i = 0; i < batchLanes; ++i) {
+        for (std::size_t i = 0; i < end; ++i) {
             // The lanes that fill up the last vector do what the last box does.
             const std::size_t box = std::min(i, count - 1);
             const double low = boxes.low[k][box], high = boxes.high[k][box];

@@ -22,6 +22,7 @@ struct FirstRoots {
         std::size_t line = 0;
         Root root;
         glm::dvec3 normal{1, 0, 0};  ///< any length, possibly zero or not finite; not of walls
+        bool hasNormal = false;      ///< whether it is known to the finder already
     };
 
     /// Row k is the crossing that is the first root of line k. Its t is `none` where the line has no root, or

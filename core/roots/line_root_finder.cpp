@@ -22,20 +22,20 @@ void LineRootFinder::findFirst(const LineColumns& lines, const RootRequest& requ
 }
 
 void LineRootFinder::setNormals(const LineColumns& lines, const std::stop_token& stop, FirstRoots& roots) {
-    const auto isSmooth = [](const FirstRoots::Other& other) {
+    const auto isAsked = [](const FirstRoots::Other& other) {
         return other.root.kind != RootKind::entryWall && other.root.kind != RootKind::exitWall &&
-               other.root.kind != RootKind::jump;
+               other.root.kind != RootKind::jump && !other.hasNormal;
     };
     places_.clear();
     for (const FirstRoots::Other& other : roots.others) {
         const LineQuery line = lines[other.line];
-        if (isSmooth(other)) places_.push_back(line.origin + other.root.t * line.direction);
+        if (isAsked(other)) places_.push_back(line.origin + other.root.t * line.direction);
     }
     normals_.assign(places_.size(), FirstRoots::Other().normal);
     computeNormals(places_, stop, normals_);
     std::size_t next = 0;
     for (FirstRoots::Other& other : roots.others)
-        if (isSmooth(other)) other.normal = normals_[next++];
+        if (isAsked(other)) other.normal = normals_[next++];
 }
 
 void LineRootFinder::computeNormals(std::span<const glm::dvec3> points, const std::stop_token& stop,

@@ -69,7 +69,7 @@ class LineRootFinder {
     virtual void restart() {}
 
   protected:
-    /// Computes the normals of roots.others, walls and jumps left out.
+    /// Computes the normals of roots.others, but for walls, jumps and those that are known.
     void setNormals(const LineColumns& lines, const std::stop_token& stop, FirstRoots& roots);
 
   private:

@@ -52,7 +52,7 @@ class March {
           polish_(gradients_, settings_),
           points_(function_),
           fallback_(points_, settings_),
-          cells(*function_, {settings_, forms_, march_, polish_, fallback_}) {}
+          cells(*function_, {settings_, forms_, march_, polish_, fallback_, gradients_}) {}
 
     CellMarch::Outcome run(const std::vector<LineQuery>& lines) {
         const LineTable table(lines);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluate/tape/tape_simplifier.h"
 
+#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -91,7 +92,8 @@ class ChainDecisions {
     }
 
   private:
-    /// The place that decided choices of a chain lead to, link by link; this one where its own choice does not.
+    /// The place that decided choices of a chain lead to, link by link; this one where its own choice does
+    /// not.
     std::uint32_t endOfChain(std::uint32_t place) const {
         std::size_t word = place / wordBits;
         const auto ends = [&] {
@@ -184,14 +186,14 @@ void TapeSimplifier::need(Value value, std::uint32_t user) {
     // The last user comes first.
     if ((word & bit) == 0) lastUse_[value] = user;
     word |= bit;
+    firstWord_ = std::min(firstWord_, value / wordBits);
 }
 
 template <class Decided>
 void TapeSimplifier::markNeeded(Value result, const Decided& decisions) {
-    const auto end = static_cast<std::uint32_t>(base_->instructions.size());
-    std::fill_n(needed_.begin(), end / wordBits + 1, 0);
-    need(result, end);
-    for (std::size_t word = end / wordBits + 1; word-- > 0;) {
+    endWord_ = firstWord_ = SimplifiedTape::isFixed(result) ? 0 : result / wordBits + 1;
+    need(result, static_cast<std::uint32_t>(base_->instructions.size()));
+    for (std::size_t word = endWord_; word-- > firstWord_;) {
         // Operands stand before what uses them, maybe in the same word.
         for (std::uint64_t below = ~std::uint64_t(0); (needed_[word] & below) != 0;) {
             const auto bit = static_cast<int>(std::bit_width(needed_[word] & below)) - 1;
@@ -213,14 +215,13 @@ void TapeSimplifier::assignSlots(SimplifiedTape& simplifiedTape) {
     simplifiedTape.levelNumbers.clear();
     free_.clear();
     Slot next = links_.tape().firstReused();
-    const std::size_t words = base_->instructions.size() / wordBits + 1;
     std::size_t left = 0;
-    for (std::size_t word = 0; word < words; ++word)
+    for (std::size_t word = firstWord_; word < endWord_; ++word)
         left += static_cast<std::size_t>(std::popcount(needed_[word]));
     simplifiedTape.instructions.reserve(left);
     simplifiedTape.links.reserve(left);
-    for (std::size_t word = 0; word < words; ++word) {
-        for (std::uint64_t bits = needed_[word]; bits != 0; bits &= bits - 1) {
+    for (std::size_t word = firstWord_; word < endWord_; ++word) {
+        for (std::uint64_t bits = std::exchange(needed_[word], 0); bits != 0; bits &= bits - 1) {
             const auto i = static_cast<std::uint32_t>(word * wordBits) +
                            static_cast<std::uint32_t>(std::countr_zero(bits));
             append(i, simplifiedTape);

@@ -67,7 +67,8 @@ class TapeSimplifier {
     const TapeLinks& links_;
     const SimplifiedTape* base_;
     // Of the instructions of the base; there is room once something is shortened.
-    std::vector<std::uint64_t> needed_;  ///< a bit for each
+    std::vector<std::uint64_t> needed_;        ///< a bit for each; none between calls
+    std::size_t firstWord_ = 0, endWord_ = 0;  ///< of what is needed
     std::vector<std::array<Value, 4>> operands_;
     std::vector<std::uint8_t> flipped_;   ///< abs that becomes a negation
     std::vector<std::uint32_t> lastUse_;  ///< of its value

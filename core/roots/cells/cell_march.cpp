@@ -38,10 +38,12 @@ std::uint64_t lanesFrom(std::size_t first, std::size_t end) {
 }  // namespace
 
 CellMarch::CellMarch(const PreparedFunction& function, const Tools& tools)
-    : tools_(tools),
+    : function_(function),
+      tools_(tools),
       shortTapes_(function),
       tree_(function, tools.settings),
-      pieces_(function, tools.settings) {}
+      pieces_(function, tools.settings),
+      settler_(tools.settings, tools.fallback, tools.gradients) {}
 
 CellMarch::Outcome CellMarch::run(const LineColumns& lines, double sufficient, const std::stop_token& stop,
                                   FirstRoots& roots) {
@@ -50,12 +52,14 @@ CellMarch::Outcome CellMarch::run(const LineColumns& lines, double sufficient, c
     if (!bundle) return Outcome::nothingAsked;
     tree_.begin(*bundle);
     cutTiles(lines);
-    if (!pays()) return Outcome::vain;
+    if (!parts_) parts_.emplace(function_, tools_.settings, tools_.march, tools_.polish, settler_);
+    if (!parts_->possible() && !pays()) return Outcome::vain;
     std::size_t begun = 0;
     const std::uint64_t before = work();
     for (Tile& tile : tiles_) {
         if (stop.stop_requested()) break;
         begun += tile.open;
+        if (parts_->possible()) searchParts(lines, tile, sufficient, roots);
         search(lines, tile, sufficient, roots);
         const std::uint64_t most = (begun + tileLines) * dearestLine * tree_.whole().instructions.size();
         if (work() - before > most) return Outcome::vain;
@@ -131,6 +135,15 @@ void CellMarch::enclosePieces(const CellTree::Cell& cell, const LineBundle& bund
             bundle.originSpread + part.far * bundle.directionSpread + half * glm::abs(bundle.direction), k);
     }
     pieces_.enclose(depth);
+}
+
+/// The lines of a tile by the parts of a union, as far as that settles them.
+void CellMarch::searchParts(const LineColumns& lines, Tile& tile, double sufficient, FirstRoots& roots) {
+    if (tile.open == 0) return;
+    parts_->run(lines, tile.first, tile.count, tile.bundle, sufficient, &fars_[tile.first], roots);
+    const auto isOpen = [](double far) { return far > -infinity; };
+    const auto fars = std::span(fars_).subspan(tile.first, tile.count);
+    tile.open = static_cast<std::size_t>(std::ranges::count_if(fars, isOpen));
 }
 
 /// The lines of a tile, from cell to cell.
@@ -225,22 +238,8 @@ void CellMarch::takeResults(MarchKernel::Results& found, const LineColumns& line
         close(line.line, tile);
     }
     tools_.polish.run(found.crossings, roots, &tape);
-    if (!tools_.polish.unsettled().empty()) settle(lines, tape, roots);
-}
-
-/// The crossings that the polish has left, by point values.
-void CellMarch::settle(const LineColumns& lines, const SimplifiedTape& tape, FirstRoots& roots) {
-    rough_.clear();
-    queries_.clear();
-    lists_.clear();
-    for (const NewtonPolish::Unsettled& crossing : tools_.polish.unsettled()) {
-        rough_.push_back({rough_.size(), 0, crossing.low, crossing.high, crossing.steepness, 1});
-        queries_.push_back(lines[crossing.line]);
-        lists_.push_back({{crossing.low + (crossing.high - crossing.low) / 2, RootKind::crossing}});
-    }
-    tools_.fallback.run(rough_, queries_, lists_, &tape);
-    for (std::size_t k = 0; k < lists_.size(); ++k)
-        roots.others.push_back({tools_.polish.unsettled()[k].line, lists_[k].front()});
+    const auto settled = settler_.run(lines, tools_.polish.unsettled(), tape);
+    roots.others.insert(roots.others.end(), settled.begin(), settled.end());
 }
 
 /// Nothing more is to be found out about the line.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "core/roots/certified/certain_starts.h"
 #include "core/roots/cells/box_pieces.h"
 #include "core/roots/cells/cell_tree.h"
+#include "core/roots/cells/crossing_settler.h"
+#include "core/roots/cells/part_march.h"
 #include "core/roots/certified/line_bundle.h"
 #include "core/roots/certified/newton_polish.h"
 #include "core/roots/certified/march_kernel.h"
@@ -21,7 +24,8 @@ namespace isoscope {
 
 class PreparedFunction;
 
-/// The first roots of many lines for functions full of choices (unions of many parts). Tiles of lines go from
+/// The first roots of many lines for functions full of choices (unions of many parts). Unions of small parts
+/// are searched part by part (PartMarch); of other functions, and of what that leaves, tiles of lines go from
 /// cell to cell of a CellTree, front to back. What may hold a root in a cell is cut into pieces with still
 /// shorter tapes, which hold only what decides there whether a point is inside; lines march by those alone
 /// (docs/evaluation.md).
@@ -37,6 +41,7 @@ class CellMarch {
         MarchKernel& march;
         NewtonPolish& polish;
         RootPolish& fallback;  ///< for what the first leaves
+        GradientEvaluator& gradients;
     };
 
     /// `function` is what the tools evaluate; it must outlive the march.
@@ -78,6 +83,7 @@ class CellMarch {
     void cutTiles(const LineColumns& lines);
     bool pays();
     bool makesShort(const CellTree::Cell& cell, const LineBundle& bundle, const DepthRange& range);
+    void searchParts(const LineColumns& lines, Tile& tile, double sufficient, FirstRoots& roots);
     void search(const LineColumns& lines, Tile& tile, double sufficient, FirstRoots& roots);
     void searchCell(const LineColumns& lines, const CellTree::Cell& cell, Tile& tile, const DepthRange& range,
                     double sufficient, FirstRoots& roots);
@@ -88,14 +94,16 @@ class CellMarch {
                double sufficient, FirstRoots& roots);
     void takeResults(MarchKernel::Results& found, const LineColumns& lines, Tile& tile,
                      const SimplifiedTape& tape, FirstRoots& roots);
-    void settle(const LineColumns& lines, const SimplifiedTape& tape, FirstRoots& roots);
     std::uint64_t work() const { return work_ + tree_.work() + pieces_.work(); }
     void close(std::size_t line, Tile& tile);
 
+    const PreparedFunction& function_;
     Tools tools_;
     ShortTapes shortTapes_;
     CellTree tree_;
     BoxPieces pieces_;
+    CrossingSettler settler_;
+    std::optional<PartMarch> parts_;  ///< made by the first run
     std::vector<Tile> tiles_;
     SimplifiedTape pieceTape_;
     CertainStarts starts_;
@@ -104,10 +112,6 @@ class CellMarch {
     std::size_t searched_ = 0;
     std::uint64_t work_ = 0;  ///< of marches: so many instructions for one line
     std::vector<MarchKernel::Line> rest_;
-    // Of crossings that the first polish leaves.
-    std::vector<RoughRoot> rough_;
-    std::vector<LineQuery> queries_;
-    std::vector<RootList> lists_;
 };
 
 }  // namespace isoscope

@@ -34,7 +34,7 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const PreparedFunction>
       slabs_(*function_, {settings_, forms_, points_, budget}),
       march_(forms_, settings_),
       newton_(gradients_, settings_),
-      cells_(*function_, {settings_, forms_, march_, newton_, polish_}),
+      cells_(*function_, {settings_, forms_, march_, newton_, polish_, gradients_}),
       sheets_(function_, points_, gradients_, settings_) {
     const Tape& tape = *function_->tape();
     if (!function_->cost().holdsNoise || !TaylorEvaluator::covers(tape)) return;

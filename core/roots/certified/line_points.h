@@ -14,8 +14,10 @@ namespace isoscope {
 /// The signed function at one place on each of many lines, negative inside.
 class LinePoints {
   public:
-    LinePoints(PointEvaluator& evaluator, const RootSettings& settings)
-        : evaluator_(evaluator), settings_(settings) {}
+    /// By `simplifiedTape`, if there is one, which has to hold at the places.
+    LinePoints(PointEvaluator& evaluator, const RootSettings& settings,
+               const SimplifiedTape* simplifiedTape = nullptr)
+        : evaluator_(evaluator), settings_(settings), simplifiedTape_(simplifiedTape) {}
 
     /// take(k, value) for k from 0 to count - 1, at parameterOf(k) on lineOf(k).
     template <class LineOf, class ParameterOf, class Take>
@@ -31,7 +33,10 @@ class LinePoints {
             const auto column = [lanes](std::array<double, batchLanes>& a) {
                 return std::span(a).first(lanes);
             };
-            evaluator_.evaluate(column(x), column(y), column(z), column(values));
+            if (simplifiedTape_ != nullptr)
+                evaluator_.evaluate(column(x), column(y), column(z), column(values), *simplifiedTape_);
+            else
+                evaluator_.evaluate(column(x), column(y), column(z), column(values));
             for (std::size_t i = 0; i < lanes; ++i) take(first + i, settings_.signedValue(values[i]));
         }
     }
@@ -39,6 +44,7 @@ class LinePoints {
   private:
     PointEvaluator& evaluator_;
     const RootSettings& settings_;
+    const SimplifiedTape* simplifiedTape_;
 };
 
 }  // namespace isoscope

@@ -162,7 +162,7 @@ void RootPolish::narrow(std::span<const RoughRoot> group, std::span<const LineQu
     std::size_t count = group.size();
     // take(bracket, value at parameterOf(bracket)) for the open ones
     const auto evaluateOpen = [&](auto parameterOf, auto take) {
-        LinePoints(points_, settings_)
+        LinePoints(points_, settings_, simplifiedTape_)
             .evaluate(
                 count, [&](std::size_t k) -> const LineQuery& { return queries[group[open[k]].line]; },
                 [&](std::size_t k) { return parameterOf(brackets[open[k]]); },

@@ -262,7 +262,8 @@ void Isosurface::block(const RayBatch& rays, TraceContext& context, HitBatch& hi
             set(i, found.crossings[FirstRoots::t][i], HitKind::crossing);
     for (const std::size_t i : found.entryWalls) set(i, lines.near[i], HitKind::container);
     for (const std::size_t i : found.exitWalls) set(i, lines.far[i], HitKind::container);
-    for (const auto& [i, root, normal] : found.others) set(i, root.t, hitKind(root.kind));
+    for (const FirstRoots::Other& other : found.others)
+        set(other.line, other.root.t, hitKind(other.root.kind));
 }
 
 /// Most rays that leave a surface meet nothing more, which is soon known on the way back.
