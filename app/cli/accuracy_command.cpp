@@ -74,6 +74,7 @@ void printKnees(RenderRequest view, const AccuracyArguments& arguments, StudiedS
                           "noises",
                           "vector_noises",
                           "cells",
+                          "timed_calls",
                           "slowness"});
     for (std::size_t i = 0; i < view.scene->isosurfaces.size(); ++i) {
         const SceneIsosurface& isosurface = view.scene->isosurfaces[i];
@@ -115,6 +116,7 @@ void printKnees(RenderRequest view, const AccuracyArguments& arguments, StudiedS
                                     counts.work.noises,
                                     counts.work.vectorNoises,
                                     counts.work.cells,
+                                    counts.work.timedCalls,
                                     machineSlowness()})
             fields.push_back(exactNumber(number));
         std::cout << csvLine(fields) << std::flush;

@@ -9,10 +9,12 @@
 #include <string_view>
 
 #include "core/evaluate/reference_evaluator.h"
+#include "core/evaluate/tape/tape_links.h"
 #include "core/function/builtins/builtin.h"
 #include "core/language/tokens/words.h"
 #include "core/render/progressive/tile_scratch.h"
 #include "core/render/render_image.h"
+#include "core/study/accuracy/povray_call_times.h"
 
 namespace isoscope {
 
@@ -21,15 +23,15 @@ namespace {
 /// Steps of a loop whose bounds depend on the place.
 constexpr double unknownSteps = 10;
 
-/// Nanoseconds on the machine where POV-Ray 3.7.0.10 was timed: with them 64 of 75 scenes (examples,
-/// tests/bench, insert menu; 320x240, the quickest of three runs) are told to 30 %. tools/povray-time times
+/// Nanoseconds on the machine where POV-Ray 3.7.0.10 was timed: with them 65 of 75 scenes (examples,
+/// tests/bench, insert menu; 320x240, the quickest of three runs) are told to 25 %. tools/povray-time times
 /// and fits anew: quotients came to nothing beside what is around them. Products take longer than sums
 /// because their factors go through the interpreter's stack.
 struct PovrayCost {
-    double pixel = 160;
-    double evaluation = 36;
-    double product = 11.5;
-    double sum = 5.4;
+    double pixel = 200;
+    double evaluation = 34;
+    double product = 9;
+    double sum = 5;
     double nativeStep = 0.36;
     double call = 33;
     double declaredCall = 41;
@@ -51,7 +53,8 @@ double evaluationTime(const FunctionWork& work) {
            cost.nativeStep * work.nativeSteps + cost.call * work.calls +
            cost.declaredCall * work.declaredCalls + cost.patternCall * work.patternCalls +
            cost.pigmentCall * work.pigmentCalls + cost.wave * work.waves + cost.power * work.powers +
-           cost.noise * work.noises + cost.vectorNoise * work.vectorNoises + cost.cell * work.cells;
+           cost.noise * work.noises + cost.vectorNoise * work.vectorNoises + cost.cell * work.cells +
+           work.timedCalls;
 }
 
 /// Times what is most like POV-Ray's interpreter: scalar operations, one after the other, by their names.
@@ -65,7 +68,7 @@ double measureSlowness() {
     }
     ReferenceEvaluator evaluator(finish(std::move(graph), {sum}, 2));
     // The quickest of many counts: others use the machine as well.
-    constexpr int rounds = 40, evaluations = 500;
+    constexpr int rounds = 100, evaluations = 500;
     double best = 1e9, value = 0.3;
     for (int round = 0; round < rounds; ++round) {
         const double begin = threadCpuSeconds();
@@ -80,7 +83,7 @@ constexpr double FunctionWork::*members[] = {
     &FunctionWork::calls,        &FunctionWork::declaredCalls, &FunctionWork::patternCalls,
     &FunctionWork::pigmentCalls, &FunctionWork::quotients,     &FunctionWork::waves,
     &FunctionWork::powers,       &FunctionWork::noises,        &FunctionWork::vectorNoises,
-    &FunctionWork::cells};
+    &FunctionWork::cells,        &FunctionWork::timedCalls};
 
 bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
@@ -96,17 +99,6 @@ bool hasComponent(std::string_view text, std::size_t open) {
     return false;
 }
 
-std::uint64_t pixelsThatHit(const RenderStatistics& statistics) {
-    std::uint64_t hits = 0;
-    for (const auto& [verdict, pixels] : statistics.verdicts) hits += verdict == "miss" ? 0 : pixels;
-    return hits;
-}
-
-std::uint64_t castingLights(const Scene& scene) {
-    return static_cast<std::uint64_t>(
-        std::ranges::count_if(scene.lights, [](const LightSource& light) { return !light.shadowless; }));
-}
-
 void count(Operation operation, FunctionWork& work) {
     switch (factsOf(operation).work) {
         case PovrayWork::sum: work.sums += 1; break;
@@ -118,6 +110,95 @@ void count(Operation operation, FunctionWork& work) {
         case PovrayWork::vectorNoise: work.vectorNoises += 1; break;
         case PovrayWork::cell: work.cells += 1; break;
     }
+}
+
+/// What the text of a function says of its work.
+class WrittenWork {
+  public:
+    explicit WrittenWork(std::string_view text) : text_(text) {
+        for (at_ = 0; at_ < text_.size(); ++at_) {
+            if (skipComment()) continue;
+            if (isWord(text_[at_])) {
+                takeWord();
+                continue;
+            }
+            work.products += text_[at_] == '*';
+            work.quotients += text_[at_] == '/';
+            work.powers += text_[at_] == '^';
+            work.sums += std::string_view("+-<>=!&|").find(text_[at_]) != std::string_view::npos;
+            // Loops and branches of directives are written once.
+            hasMore_ |= text_[at_] == '#';
+        }
+    }
+
+    /// Whether nothing is behind what is written: no function of the text, no directive.
+    bool isAll() const { return !hasMore_; }
+
+    /// Calls by their kinds; those that are timed by themselves with their times as well.
+    FunctionWork work;
+
+  private:
+    bool skipComment() {
+        const std::string_view left = text_.substr(at_);
+        const bool isLine = left.starts_with("//");
+        if (!isLine && !left.starts_with("/*")) return false;
+        const std::size_t end = isLine ? left.find('\n') : left.find("*/", 2);
+        at_ = end == std::string_view::npos ? text_.size() - 1 : at_ + end + (isLine ? 0 : 1);
+        return true;
+    }
+
+    void takeWord() {
+        const std::size_t begin = at_;
+        while (at_ + 1 < text_.size() && isWord(text_[at_ + 1])) ++at_;
+        const std::string_view word = text_.substr(begin, at_ + 1 - begin);
+        const std::size_t next = text_.find_first_not_of(" \t\r\n", at_ + 1);
+        if (next == std::string_view::npos || text_[next] != '(') return;
+        if (const Builtin* builtin = findBuiltin(word))
+            (builtin->id < 0 ? work.patternCalls : work.calls) += 1;
+        else if (!isReservedWord(word))
+            (hasComponent(text_, next) ? work.pigmentCalls : work.declaredCalls) += 1;
+        if (const std::optional<double> time = povrayCallTime(word))
+            work.timedCalls += *time;
+        else
+            hasMore_ = true;
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    bool hasMore_ = false;
+};
+
+/// As workOf(), of a tape without loops, as if each operand was worked out for itself.
+FunctionWork workApart(const Tape& tape) {
+    const TapeLinks links(tape);
+    const SimplifiedTape& whole = links.whole();
+    std::vector<double> times(whole.instructions.size());
+    const auto use = [&](SimplifiedTape::Value value, double more) {
+        if (!SimplifiedTape::isFixed(value)) times[value] += more;
+    };
+    use(whole.resultValue, 1);
+    FunctionWork work;
+    for (std::size_t i = times.size(); i-- > 0;) {
+        const Instruction& instruction = whole.instructions[i];
+        FunctionWork one;
+        count(instruction.operation, one);
+        work += one * times[i];
+        const bool isTwice = instruction.operation == Operation::square;
+        for (std::size_t k = 0; k < instruction.operandCount; ++k)
+            use(whole.links[i].operands[k], isTwice ? 2 * times[i] : times[i]);
+    }
+    return work;
+}
+
+std::uint64_t pixelsThatHit(const RenderStatistics& statistics) {
+    std::uint64_t hits = 0;
+    for (const auto& [verdict, pixels] : statistics.verdicts) hits += verdict == "miss" ? 0 : pixels;
+    return hits;
+}
+
+std::uint64_t castingLights(const Scene& scene) {
+    return static_cast<std::uint64_t>(
+        std::ranges::count_if(scene.lights, [](const LightSource& light) { return !light.shadowless; }));
 }
 
 }  // namespace
@@ -154,27 +235,27 @@ FunctionWork workOf(const Tape& tape, std::span<const double> parameters) {
 }
 
 FunctionWork workOf(const SceneIsosurface& isosurface, std::span<const double> parameters) {
-    FunctionWork work = workOf(*isosurface.shape->tape(), parameters);
-    const std::string_view text = isosurface.functionText;
-    double products = 0, sums = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        products += text[i] == '*';
-        sums += std::string_view("+-<>=!&|").find(text[i]) != std::string_view::npos;
-        if (!isWord(text[i])) continue;
-        const std::size_t begin = i;
-        while (i + 1 < text.size() && isWord(text[i + 1])) ++i;
-        const std::string_view word = text.substr(begin, i + 1 - begin);
-        const std::size_t next = text.find_first_not_of(" \t\n", i + 1);
-        if (next == std::string_view::npos || text[next] != '(') continue;
-        const Builtin* builtin = findBuiltin(word);
-        if (builtin)
-            (builtin->id < 0 ? work.patternCalls : work.calls) += 1;
-        else if (!isReservedWord(word))
-            (hasComponent(text, next) ? work.pigmentCalls : work.declaredCalls) += 1;
+    const WrittenWork written(isosurface.functionText);
+    if (written.isAll()) {
+        FunctionWork all = written.work;
+        if (all.calls + all.patternCalls == 0) {
+            // What is constant is worked out beforehand.
+            const FunctionWork apart = workApart(*isosurface.shape->tape());
+            all.products = std::min(all.products, apart.products);
+            all.sums = std::min(all.sums, apart.sums);
+        }
+        // They are among those that are timed.
+        all.calls = all.patternCalls = 0;
+        return all;
     }
+    FunctionWork work = workOf(*isosurface.shape->tape(), parameters);
+    work.calls = written.work.calls;
+    work.declaredCalls = written.work.declaredCalls;
+    work.patternCalls = written.work.patternCalls;
+    work.pigmentCalls = written.work.pigmentCalls;
     if (work.calls + work.patternCalls + work.pigmentCalls == 0) return work;
-    products = std::min(products, work.products);
-    sums = std::min(sums, work.sums);
+    const double products = std::min(written.work.products, work.products);
+    const double sums = std::min(written.work.sums, work.sums);
     work.nativeSteps = work.products + work.sums - products - sums;
     work.products = products;
     work.sums = sums;

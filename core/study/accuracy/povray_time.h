@@ -27,6 +27,7 @@ struct FunctionWork {
     double noises = 0;     ///< lookups of the noise
     double vectorNoises = 0;  ///< components of the vector noise
     double cells = 0;         ///< lookups of crackle and of tables
+    double timedCalls = 0;    ///< nanoseconds in calls whose time is known by itself (povrayCallTime)
 
     FunctionWork& operator+=(const FunctionWork& other);
     FunctionWork operator*(double factor) const;
@@ -35,9 +36,11 @@ struct FunctionWork {
 /// As if the interpreter did it all, without any call.
 FunctionWork workOf(const Tape& tape, std::span<const double> parameters);
 
-/// Tells the steps of the interpreter from those of built-in functions by the text of the function: where it
-/// calls any, only as many operators as stand in the text are the interpreter's. What is inside of functions
-/// that the text has declared is not seen, but for the calls themselves.
+/// By the text of the function where that says all: operators, elementary functions and calls whose time is
+/// known (povrayCallTime); POV-Ray evaluates what is written twice twice. Elsewhere the text tells the steps
+/// of the interpreter from those of built-in functions: where it calls any, only as many operators as stand
+/// in it are the interpreter's. What is inside of functions that the text has declared is not seen, but for
+/// the calls themselves.
 FunctionWork workOf(const SceneIsosurface& isosurface, std::span<const double> parameters);
 
 /// What a small picture by POV-Ray's method took; deterministic.
@@ -70,8 +73,7 @@ double povraySeconds(const PovrayCounts& counts, double pixels);
 double povraySeconds(const PovrayCounts& counts, double pixels, double evaluationsPerPixel);
 
 /// What a prediction may be off by, as a person is told. Nine of ten of the scenes that the figures were
-/// fitted to are nearer (four of five within 0.3), but few of simple shapes with a light far away, for which
-/// too little time is told, down to a half.
+/// fitted to are within half of that, but a machine that others use takes half as long again now and then.
 constexpr double povrayTimeError = 0.5;
 
 /// How much longer this machine takes for scalar arithmetic than the one that the figures were fitted on;
