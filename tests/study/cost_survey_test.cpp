@@ -193,6 +193,10 @@ class CostSurveyTest : public QObject {
         // What is constant is done once.
         QCOMPARE(workIn("x*(2*3 - 1) - pi*pi/2").products, 1.0);
         QCOMPARE(workIn("(x - 1)*(x - 1)").sums, 2.0);
+        // Where no text is known, the tape tells.
+        SceneIsosurface untold = studyScene(sphere).scene->isosurfaces[0];
+        untold.functionText.clear();
+        QVERIFY(workOf(untold, {}).products > 0);
         // A loop of the scene's language is written once.
         const FunctionWork loop = workIn("min(x #for (I, 1, 9) , x*x + y*I #end)");
         QVERIFY(loop.products > 5);

@@ -131,8 +131,9 @@ class WrittenWork {
         }
     }
 
-    /// Whether nothing is behind what is written: no function of the text, no directive.
-    bool isAll() const { return !hasMore_; }
+    /// Whether nothing is behind what is written: no function of the text, no directive. False where nothing
+    /// is written.
+    bool isAll() const { return !text_.empty() && !hasMore_; }
 
     /// Calls by their kinds; those that are timed by themselves with their times as well.
     FunctionWork work;

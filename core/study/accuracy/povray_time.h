@@ -72,7 +72,7 @@ double povraySeconds(const PovrayCounts& counts, double pixels);
 /// The same when the camera's rays take `evaluationsPerPixel` instead of what was counted.
 double povraySeconds(const PovrayCounts& counts, double pixels, double evaluationsPerPixel);
 
-/// What a prediction may be off by, as a person is told. Nine of ten of the scenes that the figures were
+/// What a prediction may be off by, as a person is told. Six of seven of the scenes that the figures were
 /// fitted to are within half of that, but a machine that others use takes half as long again now and then.
 constexpr double povrayTimeError = 0.5;
 
