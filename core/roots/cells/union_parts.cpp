@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "core/evaluate/prepared_function.h"
+#include "core/roots/cells/backward_bounds.h"
 #include "core/roots/cells/box_pieces.h"
 #include "core/roots/cells/short_tapes.h"
 
@@ -175,6 +176,31 @@ std::optional<LineRegion> shrink(LineRegion box, BoxPieces& boxes) {
     return box;
 }
 
+/// Whether a box, smaller than a region, certainly holds all of it that is inside, or undefined, by the base
+/// of `boxes`.
+bool holdsAllOf(LineRegion region, const LineRegion& box, BoxPieces& boxes) {
+    if (!glm::all(glm::lessThan(box.low, box.high))) return false;
+    std::size_t lanes = 0;
+    const auto place = [&](const glm::dvec3& low, const glm::dvec3& high) {
+        boxes.place(0.5 * (low + high), 0.5 * (high - low), lanes++);
+    };
+    // What is beside the box along x, what is left of it along y, and so on.
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 below = region.high, above = region.low;
+        below[axis] = box.low[axis];
+        above[axis] = box.high[axis];
+        if (box.low[axis] > region.low[axis]) place(region.low, below);
+        if (box.high[axis] < region.high[axis]) place(above, region.high);
+        region.low[axis] = box.low[axis];
+        region.high[axis] = box.high[axis];
+    }
+    if (lanes == 0) return false;
+    boxes.enclose(lanes);
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        if (!(boxes.sign(lane) > 0)) return false;
+    return true;
+}
+
 /// No line of the bundle is in the box before this t; infinite where none ever is, from t = 0 on.
 double enter(const LineBundle& bundle, const LineRegion& box) {
     double near = 0, far = infinity;
@@ -213,11 +239,20 @@ UnionParts::UnionParts(const PreparedFunction& function, const RootSettings& set
     region_ = {center - size, center + size};
     margin_ = 1e-9 * size;
     BoxPieces boxes(function, settings);
+    BackwardBounds backward(*function.tape(), function.uniforms());
+    const Interval inside = settings.positivePolarity ? Interval{settings.threshold, infinity}
+                                                      : Interval{-infinity, settings.threshold};
     SimplifiedTape made;
     for (UnionWalk walk(function, settings.positivePolarity); !walk.atEnd(); walk.advance()) {
         boxes.simplify(walk.decided, made);
         boxes.setBase(made);
-        const std::optional<LineRegion> box = shrink(region_, boxes);
+        BackwardBounds::Box guess = backward.where(made, inside, region_);
+        // Boxes that are enclosed are wider than they are said to be.
+        guess.region.low = glm::max(guess.region.low - 1e-5 * size, region_.low);
+        guess.region.high = glm::min(guess.region.high + 1e-5 * size, region_.high);
+        const bool isProven = holdsAllOf(region_, guess.region, boxes);
+        std::optional<LineRegion> box = isProven ? guess.region : region_;
+        if (!isProven || !guess.isTight) box = shrink(*box, boxes);
         if (!box) continue;
         if (parts_.size() == mostParts) {
             parts_.clear();
