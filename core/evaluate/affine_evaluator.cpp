@@ -131,11 +131,11 @@ AffineLanes AffineEvaluator::runApproximation(std::size_t number, const PieceCol
         runAffineProgram(workspace_, *program, pieces, spread, count);
     } else {
         placeArguments(pieces, count, spread);
-        runAffineInstructions(workspace_, approximation.tape.instructions, count);
+        runAffineInstructions(workspace_, approximation.tape->instructions, count);
     }
     // Returned as it is made: a copy would wait until its parts are in memory.
-    if (approximation.error == 0) return lanesOf(approximation.tape.result);
-    const AffineLanes forms = lanesOf(approximation.tape.result);
+    if (approximation.error == 0) return lanesOf(approximation.tape->result);
+    const AffineLanes forms = lanesOf(approximation.tape->result);
     widenAffineForms(forms, approximation.offset, approximation.error, count, ownForms_[0].data(),
                      ownForms_[2].data());
     return {ownForms_[0].data(), forms.slope, ownForms_[2].data()};
@@ -188,7 +188,7 @@ AffineLanes AffineEvaluator::evaluateSides(const PieceColumns& pieces, std::size
 /// The tape without what is decided all over the domain; null where that is the whole.
 const SimplifiedTape* AffineEvaluator::decided() const {
     const std::span<const TapeApproximation> approximations = global_->approximations();
-    return approximations.empty() ? nullptr : &approximations[0].tape;
+    return approximations.empty() ? nullptr : approximations[0].tape.get();
 }
 
 const StepProgram* AffineEvaluator::caseProgram(std::size_t count) {

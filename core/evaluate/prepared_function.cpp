@@ -7,6 +7,7 @@
 
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/tape/loop_stop.h"
+#include "core/evaluate/tape/tape_simplifier.h"
 
 namespace isoscope {
 
@@ -45,8 +46,8 @@ GlobalSimplification::GlobalSimplification(const PreparedFunction& function,
 void GlobalSimplification::simplify(const PreparedFunction& function, std::span<const Choice> choices) {
     approximations_ = approximationsOf(function.links(), choices, everywhere_->ranges, function.uniforms());
     for (const TapeApproximation& approximation : approximations_)
-        codes_.emplace_back(*function.tape(), approximation.tape.instructions,
-                            std::span(&approximation.tape.result, 1));
+        codes_.emplace_back(*function.tape(), approximation.tape->instructions,
+                            std::span(&approximation.tape->result, 1));
 }
 
 std::shared_ptr<const GlobalSimplification> GlobalSimplification::forSigns(const PreparedFunction& function,
@@ -55,9 +56,12 @@ std::shared_ptr<const GlobalSimplification> GlobalSimplification::forSigns(const
     const std::vector<Choice> choices =
         choicesEverywhere(links, everywhere_->ranges, links.levels(function.uniforms(), threshold));
     if (choices == choicesEverywhere(links, everywhere_->ranges)) return nullptr;
-    std::shared_ptr<const GlobalSimplification> made(
+    // A few of many instructions are not worth another tape, whose memory has its price.
+    constexpr std::size_t worthwhileShare = 64;
+    const std::size_t length = decided()->instructions.size();
+    if (TapeSimplifier(links).countLeft(choices, 0) + length / worthwhileShare >= length) return nullptr;
+    return std::shared_ptr<const GlobalSimplification>(
         new GlobalSimplification(function, everywhere_, choices));
-    return made->decided()->instructions.size() < decided()->instructions.size() ? made : nullptr;
 }
 
 const OperandDomains& GlobalSimplification::domains() const { return everywhere_->domains; }

@@ -50,7 +50,7 @@ class GlobalSimplification {
     /// The function must outlive it.
     explicit GlobalSimplification(const PreparedFunction& function);
     /// The same where nothing but the sign of the function minus a threshold counts (choicesEverywhere). Null
-    /// where that makes the tape no shorter.
+    /// where that makes the tape hardly shorter.
     std::shared_ptr<const GlobalSimplification> forSigns(const PreparedFunction& function,
                                                          double threshold) const;
 
@@ -60,7 +60,7 @@ class GlobalSimplification {
     std::span<const TapeApproximation> approximations() const { return approximations_; }
     /// The first of them: the tape without choices that are the same everywhere; null for the tape as it is.
     const SimplifiedTape* decided() const {
-        return approximations_.empty() ? nullptr : &approximations_[0].tape;
+        return approximations_.empty() ? nullptr : approximations_[0].tape.get();
     }
     /// The code of an approximation, by its number.
     const StepCode& code(std::size_t approximation, StepNumberKind numbers) const {

@@ -30,8 +30,9 @@ std::shared_ptr<const Tape> landscape() {
     });
 }
 
-std::vector<TapeApproximation> approximationsOf(const std::shared_ptr<const Tape>& tape) {
-    const auto global = PreparedFunction::of(tape, {})->global();
+/// Valid with the function.
+std::vector<TapeApproximation> approximationsOf(const std::shared_ptr<const PreparedFunction>& function) {
+    const auto global = function->global();
     return {global->approximations().begin(), global->approximations().end()};
 }
 
@@ -53,7 +54,7 @@ double largestShare(const std::shared_ptr<const Tape>& tape,
     evaluator.evaluate(x, y, z, wanted);
     double share = 0;
     for (const TapeApproximation& approximation : approximations) {
-        evaluator.evaluate(x, y, z, found, approximation.tape);
+        evaluator.evaluate(x, y, z, found, *approximation.tape);
         for (std::size_t i = 0; i < points; ++i) {
             const double apart = std::abs(found[i] + approximation.offset - wanted[i]);
             if (!(apart <= approximation.error + 1e-13)) return INFINITY;
@@ -75,13 +76,14 @@ class TapeApproximationTest : public QObject {
     void octavesAreLeftOutFromTheLast() {
         std::mt19937_64 random(seed);
         const auto tape = landscape();
-        const std::vector<TapeApproximation> approximations = approximationsOf(tape);
+        const auto function = PreparedFunction::of(tape, {});
+        const std::vector<TapeApproximation> approximations = approximationsOf(function);
         QVERIFY(approximations.size() >= 6);
         QCOMPARE(approximations[0].error, 0.0);
         QCOMPARE(approximations[0].offset, 0.0);
-        QCOMPARE(count(approximations[0].tape, Operation::minimum), std::size_t(0));
-        QCOMPARE(count(approximations[0].tape, Operation::maximum), std::size_t(0));
-        for (std::size_t k = 0; k < 6; ++k) QCOMPARE(count(approximations[k].tape, Operation::noise), 7 - k);
+        QCOMPARE(count(*approximations[0].tape, Operation::minimum), std::size_t(0));
+        QCOMPARE(count(*approximations[0].tape, Operation::maximum), std::size_t(0));
+        for (std::size_t k = 0; k < 6; ++k) QCOMPARE(count(*approximations[k].tape, Operation::noise), 7 - k);
         for (std::size_t k = 1; k < approximations.size(); ++k)
             QVERIFY(approximations[k].error > approximations[k - 1].error);
         QVERIFY(approximations[2].error < 1e-3);
@@ -117,7 +119,8 @@ class TapeApproximationTest : public QObject {
             auto sum = -(0.001 * waves(x) - (z - waves(y + z)) / 4);
             return 2 * (sum - 0.01 * waves(x + 2 * y) - waves(y) * waves(z)) - 0.1 * waves(x - z) + x;
         });
-        const std::vector<TapeApproximation> approximations = approximationsOf(tape);
+        const auto function = PreparedFunction::of(tape, {});
+        const std::vector<TapeApproximation> approximations = approximationsOf(function);
         QVERIFY(approximations.size() >= 3);
         const double share = largestShare(tape, approximations, random);
         QVERIFY2(share > 0.3 && share <= 1, qPrintable(QString::number(share)));
@@ -131,10 +134,11 @@ class TapeApproximationTest : public QObject {
             const auto inner = x + 0.001 * n(x, y, z) + 0.01 * n(3 * x, y, z);
             return inner + sin(inner) * 50 + 0.1 * n(y, z, x) + 0.02 * n(2 * y, z, x);
         });
-        const std::vector<TapeApproximation> approximations = approximationsOf(tape);
+        const auto function = PreparedFunction::of(tape, {});
+        const std::vector<TapeApproximation> approximations = approximationsOf(function);
         QVERIFY(approximations.size() >= 3);
         for (const TapeApproximation& approximation : approximations)
-            QVERIFY(count(approximation.tape, Operation::noise) >= 2);
+            QVERIFY(count(*approximation.tape, Operation::noise) >= 2);
         const double share = largestShare(tape, approximations, random);
         QVERIFY2(share > 0.3 && share <= 1, qPrintable(QString::number(share)));
     }
@@ -152,9 +156,10 @@ class TapeApproximationTest : public QObject {
             sum = sum + noise(x.number(2), scale * x, scale * y, scale * z) / scale * pow(sum, exponent);
         }
         const auto tape = Tape::compile(finish(std::move(graph), {sum.node()}, 3));
-        const std::vector<TapeApproximation> approximations = approximationsOf(tape);
+        const auto function = PreparedFunction::of(tape, {});
+        const std::vector<TapeApproximation> approximations = approximationsOf(function);
         QVERIFY(approximations.size() >= 5);
-        QCOMPARE(count(approximations[4].tape, Operation::noise), std::size_t(2));
+        QCOMPARE(count(*approximations[4].tape, Operation::noise), std::size_t(2));
         const double share = largestShare(tape, approximations, random);
         QVERIFY2(share > 0.3 && share <= 1, qPrintable(QString::number(share)));
         const auto other = PreparedFunction::of(tape, std::vector<double>{0.5})->global();
@@ -167,9 +172,10 @@ class TapeApproximationTest : public QObject {
             const auto n = [x](auto a) { return noise(x.number(2), a, a, a); };
             return y + sqrt(n(x) - 0.5) + n(y) * z + exp(n(z) * x) + n(2 * z) / n(3 * z);
         });
-        const std::vector<TapeApproximation> approximations = approximationsOf(tape);
+        const auto function = PreparedFunction::of(tape, {});
+        const std::vector<TapeApproximation> approximations = approximationsOf(function);
         QCOMPARE(approximations.size(), std::size_t(1));
-        QCOMPARE(approximations[0].tape.instructions.size(), tape->instructions().size());
+        QCOMPARE(approximations[0].tape->instructions.size(), tape->instructions().size());
     }
 
     void loopsHaveNoOutline() {
@@ -181,7 +187,7 @@ class TapeApproximationTest : public QObject {
         const NodeId sum = graph.loop(Operation::sum, graph.constant(1), graph.parameter(0),
                                       finish(std::move(body), {term}, 2), captured);
         const auto tape = Tape::compile(finish(std::move(graph), {sum}, 3));
-        QVERIFY(approximationsOf(tape).empty());
+        QVERIFY(approximationsOf(PreparedFunction::of(tape, {})).empty());
     }
 
     /// Forms with a tolerance hold the values of the whole function, and are no wider than that allows.

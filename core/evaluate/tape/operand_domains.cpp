@@ -16,6 +16,11 @@ namespace {
 class KnownRatios {
   public:
     explicit KnownRatios(const Tape& tape) : instructions_(tape.instructions()) {
+        const auto isQuotient = [](const Instruction& instruction) {
+            return instruction.operation == Operation::divide;
+        };
+        if (std::ranges::none_of(instructions_, isQuotient)) return;
+        operands_.reserve(instructions_.size());
         std::vector<std::uint32_t> writers(tape.slotCount(), nowhere);
         for (std::uint32_t i = 0; i < instructions_.size(); ++i) {
             Value* operands = operands_.emplace_back().data();
@@ -27,6 +32,7 @@ class KnownRatios {
 
     /// Whether operand k of the instruction is a coordinate by a length: y / sqrt(x^2 + y^2).
     bool isSine(std::size_t instruction, std::size_t k) const {
+        if (operands_.empty()) return false;
         const std::uint32_t quotient = operands_[instruction][k].writer;
         if (!is(quotient, Operation::divide)) return false;
         const std::uint32_t root = operands_[quotient][1].writer;

@@ -83,26 +83,29 @@ class TapeApproximator {
   public:
     TapeApproximator(const TapeLinks& links, const IntervalEvaluator& everywhere,
                      const UniformValues& uniforms)
-        : tape_(links.tape()), everywhere_(everywhere), uniforms_(uniforms), simplifier_(links) {}
+        : links_(links),
+          tape_(links.tape()),
+          everywhere_(everywhere),
+          uniforms_(uniforms),
+          simplifier_(links) {}
 
     std::vector<TapeApproximation> run(std::span<const Choice> choices) {
-        std::vector<TapeApproximation> approximations(1);
-        SimplifiedTape& whole = approximations[0].tape;
-        simplifier_.simplify(choices, 0, whole);
+        std::vector<TapeApproximation> approximations{{decide(choices)}};
+        const SimplifiedTape& whole = *approximations[0].tape;
         double cost = costOf(whole);
         if (cost < worthwhileCost) return approximations;
         const std::vector<Term> terms = smallestTerms(whole);
         // Long unions have none: they are not copied.
         if (terms.empty()) return approximations;
-        TapeApproximation next{whole};
+        TapeApproximation next;
         SimplifiedTape rest = whole;
         for (const Term& term : terms) {
             if (!leaveOut(term, rest)) continue;
             next.offset += term.offset;
             next.error += term.error * (1 + roundings) + std::abs(next.offset) * roundings;
-            simplify(rest, next.tape);
-            if (costOf(next.tape) > worthwhileShare * cost) continue;
-            cost = costOf(next.tape);
+            next.tape = simplify(rest);
+            if (costOf(*next.tape) > worthwhileShare * cost) continue;
+            cost = costOf(*next.tape);
             approximations.push_back(next);
             if (approximations.size() == mostApproximations) break;
         }
@@ -110,6 +113,17 @@ class TapeApproximator {
     }
 
   private:
+    std::shared_ptr<const SimplifiedTape> decide(std::span<const Choice> choices) {
+        const bool isWhole = tape_.results().size() == 1 && std::ranges::all_of(choices, [](Choice choice) {
+                                 return choice == Choice::open;
+                             });
+        // Long unions are not copied.
+        if (isWhole) return {std::shared_ptr<const void>(), &links_.whole()};
+        const auto decided = std::make_shared<SimplifiedTape>();
+        simplifier_.simplify(choices, 0, *decided);
+        return decided;
+    }
+
     const Interval& range(const Instruction& instruction, int operand) const {
         return everywhere_.operandRange(instruction.number, operand);
     }
@@ -216,7 +230,7 @@ class TapeApproximator {
         return true;
     }
 
-    void simplify(SimplifiedTape& rest, SimplifiedTape& into) {
+    std::shared_ptr<const SimplifiedTape> simplify(SimplifiedTape& rest) {
         std::vector<Choice> choices;
         for (std::size_t i = 0; i < rest.instructions.size(); ++i) {
             const Instruction& instruction = rest.instructions[i];
@@ -229,11 +243,14 @@ class TapeApproximator {
                                   : Choice::open);
         }
         rest.levelNumbers.assign(choices.size(), 0);
+        const auto simplified = std::make_shared<SimplifiedTape>();
         simplifier_.setBase(&rest);
-        simplifier_.simplify(choices, 0, into);
+        simplifier_.simplify(choices, 0, *simplified);
         simplifier_.setBase(nullptr);
+        return simplified;
     }
 
+    const TapeLinks& links_;
     const Tape& tape_;
     const IntervalEvaluator& everywhere_;
     const UniformValues& uniforms_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,9 +19,9 @@ constexpr std::size_t mostApproximations = 8;
 /// An approximation of a function: without the terms that amount to little wherever the point is, as the high
 /// octaves of a fractal sum do, and without choices that are the same everywhere.
 struct TapeApproximation {
-    SimplifiedTape tape;
-    double offset = 0;  ///< to be added to the tape's value
-    double error = 0;   ///< the function is no further than this from the sum of both
+    std::shared_ptr<const SimplifiedTape> tape;  ///< TapeLinks::whole() itself where nothing is left out
+    double offset = 0;                           ///< to be added to the tape's value
+    double error = 0;  ///< the function is no further than this from the sum of both
 };
 
 /// What is decided wherever the point is, one entry for each choosing instruction of the tape, as

@@ -145,6 +145,15 @@ void TapeSimplifier::simplify(std::span<const Choice> choices, std::size_t resul
               simplifiedTape);
 }
 
+std::size_t TapeSimplifier::countLeft(std::span<const Choice> choices, std::size_t result) {
+    makeRoom();
+    const Decisions decisions(*base_, [choices](std::uint32_t choice) { return choices[choice]; });
+    markNeeded(decisions.follow(resultOf(result)), decisions);
+    const std::size_t count = countNeeded();
+    std::fill(needed_.begin(), needed_.end(), std::uint64_t{0});
+    return count;
+}
+
 void TapeSimplifier::simplify(std::span<const LaneChoices> choices, std::uint64_t lanes, std::size_t result,
                               SimplifiedTape& simplifiedTape) {
     const auto ofLanes = [choices, lanes](std::uint32_t choice) { return choices[choice].ofAll(lanes); };
@@ -160,8 +169,7 @@ void TapeSimplifier::simplify(const DecidedChoices& choices, SimplifiedTape& sim
 template <class Decided>
 void TapeSimplifier::shortenBy(const Decided& decisions, std::size_t result, SimplifiedTape& simplifiedTape) {
     makeRoom();
-    const Value value =
-        decisions.follow(base_ == &links_.whole() ? links_.results()[result] : base_->resultValue);
+    const Value value = decisions.follow(resultOf(result));
     markNeeded(value, decisions);
     assignSlots(simplifiedTape);
     simplifiedTape.resultValue = SimplifiedTape::isFixed(value) ? value : numbers_[value];
@@ -209,15 +217,20 @@ void TapeSimplifier::markNeeded(Value result, const Decided& decisions) {
     }
 }
 
+std::size_t TapeSimplifier::countNeeded() const {
+    std::size_t count = 0;
+    for (std::size_t word = firstWord_; word < endWord_; ++word)
+        count += static_cast<std::size_t>(std::popcount(needed_[word]));
+    return count;
+}
+
 void TapeSimplifier::assignSlots(SimplifiedTape& simplifiedTape) {
     simplifiedTape.instructions.clear();
     simplifiedTape.links.clear();
     simplifiedTape.levelNumbers.clear();
     free_.clear();
     Slot next = links_.tape().firstReused();
-    std::size_t left = 0;
-    for (std::size_t word = firstWord_; word < endWord_; ++word)
-        left += static_cast<std::size_t>(std::popcount(needed_[word]));
+    const std::size_t left = countNeeded();
     simplifiedTape.instructions.reserve(left);
     simplifiedTape.links.reserve(left);
     for (std::size_t word = firstWord_; word < endWord_; ++word) {

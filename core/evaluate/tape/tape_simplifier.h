@@ -49,6 +49,8 @@ class TapeSimplifier {
     /// The same for the choices that some lanes (a bit for each) have in common.
     void simplify(std::span<const LaneChoices> choices, std::uint64_t lanes, std::size_t result,
                   SimplifiedTape& simplifiedTape);
+    /// How many instructions would be left.
+    std::size_t countLeft(std::span<const Choice> choices, std::size_t result);
     /// The same for choices of the whole tape, whatever the base is, and its first result.
     void simplify(const DecidedChoices& choices, SimplifiedTape& simplifiedTape);
 
@@ -56,11 +58,15 @@ class TapeSimplifier {
     using Value = SimplifiedTape::Value;
 
     void makeRoom();
+    Value resultOf(std::size_t result) const {
+        return base_ == &links_.whole() ? links_.results()[result] : base_->resultValue;
+    }
     template <class Decided>
     void shortenBy(const Decided& decisions, std::size_t result, SimplifiedTape& simplifiedTape);
     void need(Value value, std::uint32_t user);
     template <class Decided>
     void markNeeded(Value result, const Decided& decisions);
+    std::size_t countNeeded() const;
     void assignSlots(SimplifiedTape& simplifiedTape);
     void append(std::uint32_t source, SimplifiedTape& simplifiedTape);
 
