@@ -72,7 +72,7 @@ double ReferenceEvaluator::loopValue(const Node& node, std::span<const double> p
     if (!range.runs()) return total;
     ReferenceEvaluator body(function_.graph->loopBody(node.index), range.bodyAllowance());
     std::vector<double> arguments(1);
-    for (const NodeId id : node.captured) arguments.push_back(values_[id]);
+    for (const NodeId id : function_.graph->captured(node)) arguments.push_back(values_[id]);
     for (double i = first; i <= last && !LoopStop::requested(); i += 1) {
         arguments[0] = i;
         const double term = body.evaluate(arguments, parameters);

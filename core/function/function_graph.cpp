@@ -21,8 +21,8 @@ std::size_t hashOf(const Node& node) {
     std::size_t hash = combine(static_cast<std::size_t>(node.operation), node.index);
     hash = combine(hash, std::bit_cast<std::uint64_t>(node.value));
     for (const NodeId operand : node.operands) hash = combine(hash, operand);
-    for (const NodeId operand : node.captured) hash = combine(hash, operand);
-    return hash;
+    // Its low bits depend on all of what is in it.
+    return (hash * 0x9e3779b97f4a7c15ull) >> 32;
 }
 
 /// Powers of 2: to multiply by 1 / value gives what the division does, to the last bit, and takes less time.
@@ -36,27 +36,41 @@ bool hasExactInverse(double value) {
 bool operator==(const Node& a, const Node& b) {
     return a.operation == b.operation && a.index == b.index &&
            std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value) &&
-           a.operands == b.operands && a.captured == b.captured;
+           a.operands == b.operands;
 }
 
-NodeId FunctionGraph::intern(Node node) {
-    const std::size_t hash = hashOf(node);
-    const auto [begin, end] = index_.equal_range(hash);
-    for (auto it = begin; it != end; ++it)
-        if (nodes_[it->second] == node) return it->second;
+/// Where a node is, or is to be.
+std::size_t FunctionGraph::placeOf(const Node& node) const {
+    const std::size_t last = places_.size() - 1;
+    std::size_t place = hashOf(node) & last;
+    while (places_[place] != noNode && nodes_[places_[place]] != node) place = (place + 1) & last;
+    return place;
+}
+
+/// Room for twice as many nodes.
+void FunctionGraph::makePlaces() {
+    constexpr std::size_t fewest = 64;
+    places_.assign(std::max(fewest, 2 * places_.size()), noNode);
+    for (NodeId id = 0; id < nodes_.size(); ++id) places_[placeOf(nodes_[id])] = id;
+}
+
+NodeId FunctionGraph::intern(const Node& node) {
+    if (places_.size() < 2 * (nodes_.size() + 1)) makePlaces();
+    const std::size_t place = placeOf(node);
+    if (places_[place] != noNode) return places_[place];
     // The last place is kept for the NaN that stands for everything that does not fit.
     if (nodes_.size() + 1 >= nodeLimit) {
         if (!overflowed_) {
             Node nan;
             nan.value = std::numeric_limits<double>::quiet_NaN();
-            nodes_.push_back(std::move(nan));
+            nodes_.push_back(nan);
         }
         overflowed_ = true;
         return static_cast<NodeId>(nodes_.size() - 1);
     }
     const auto id = static_cast<NodeId>(nodes_.size());
-    nodes_.push_back(std::move(node));
-    index_.emplace(hash, id);
+    nodes_.push_back(node);
+    places_[place] = id;
     return id;
 }
 
@@ -64,21 +78,21 @@ NodeId FunctionGraph::constant(double value) {
     Node node;
     // One NaN is as good as another; a single one keeps the graph hash-consed.
     node.value = std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value;
-    return intern(std::move(node));
+    return intern(node);
 }
 
 NodeId FunctionGraph::variable(int index) {
     Node node;
     node.operation = Operation::variable;
     node.index = static_cast<std::uint32_t>(index);
-    return intern(std::move(node));
+    return intern(node);
 }
 
 NodeId FunctionGraph::parameter(int slot) {
     Node node;
     node.operation = Operation::parameter;
     node.index = static_cast<std::uint32_t>(slot);
-    return intern(std::move(node));
+    return intern(node);
 }
 
 NodeId FunctionGraph::unary(Operation operation, NodeId a) {
@@ -89,7 +103,7 @@ NodeId FunctionGraph::unary(Operation operation, NodeId a) {
     Node node;
     node.operation = operation;
     node.operands[0] = a;
-    return intern(std::move(node));
+    return intern(node);
 }
 
 NodeId FunctionGraph::binary(Operation operation, NodeId a, NodeId b) {
@@ -107,7 +121,7 @@ NodeId FunctionGraph::binary(Operation operation, NodeId a, NodeId b) {
     node.operation = operation;
     node.operands[0] = a;
     node.operands[1] = b;
-    return intern(std::move(node));
+    return intern(node);
 }
 
 NodeId FunctionGraph::ternary(Operation operation, NodeId a, NodeId b, NodeId c) {
@@ -119,7 +133,7 @@ NodeId FunctionGraph::ternary(Operation operation, NodeId a, NodeId b, NodeId c)
     Node node;
     node.operation = operation;
     node.operands = {a, b, c, noNode};
-    return intern(std::move(node));
+    return intern(node);
 }
 
 NodeId FunctionGraph::quaternary(Operation operation, NodeId a, NodeId b, NodeId c, NodeId d) {
@@ -131,7 +145,7 @@ NodeId FunctionGraph::quaternary(Operation operation, NodeId a, NodeId b, NodeId
     Node node;
     node.operation = operation;
     node.operands = {a, b, c, d};
-    return intern(std::move(node));
+    return intern(node);
 }
 
 NodeId FunctionGraph::crackle(const CrackleSettings& settings, NodeId x, NodeId y, NodeId z) {
@@ -145,7 +159,7 @@ NodeId FunctionGraph::crackle(const CrackleSettings& settings, NodeId x, NodeId 
     node.operation = Operation::crackle;
     node.index = static_cast<std::uint32_t>(known - crackles_.begin());
     node.operands = {x, y, z, noNode};
-    return intern(std::move(node));
+    return intern(node);
 }
 
 NodeId FunctionGraph::loop(Operation operation, NodeId first, NodeId last, const Function& body,
@@ -174,11 +188,10 @@ NodeId FunctionGraph::loop(Operation operation, NodeId first, NodeId last, const
     }
     Node node;
     node.operation = operation;
-    node.index = static_cast<std::uint32_t>(bodies_.size());
+    node.index = static_cast<std::uint32_t>(loops_.size());
     node.operands = {first, last, noNode, noNode};
-    node.captured.assign(captured.begin(), captured.end());
-    bodies_.push_back(std::make_shared<Function>(body));
-    return intern(std::move(node));
+    loops_.push_back({std::make_shared<Function>(body), {captured.begin(), captured.end()}});
+    return intern(node);
 }
 
 NodeId FunctionGraph::inlineCall(const Function& callee, std::span<const NodeId> arguments,
@@ -193,7 +206,8 @@ std::vector<NodeId> FunctionGraph::operandsOf(NodeId id) const {
     std::vector<NodeId> operands;
     for (const NodeId operand : node.operands)
         if (operand != noNode) operands.push_back(operand);
-    operands.insert(operands.end(), node.captured.begin(), node.captured.end());
+    const std::span<const NodeId> captured = this->captured(node);
+    operands.insert(operands.end(), captured.begin(), captured.end());
     return operands;
 }
 

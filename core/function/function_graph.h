@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "core/function/operation.h"
@@ -24,7 +24,6 @@ struct Node {
     std::uint32_t index = 0;  ///< variable, parameter slot, crackle settings or loop body
     double value = 0;         ///< of a constant
     std::array<NodeId, 4> operands{noNode, noNode, noNode, noNode};
-    std::vector<NodeId> captured;  ///< of a loop: values of the body's variables 1, 2, ...
 
     friend bool operator==(const Node& a, const Node& b);
 };
@@ -92,7 +91,12 @@ class FunctionGraph {
     double value(NodeId id) const { return nodes_[id].value; }
     /// What Node::index of a crackle or of a loop stands for.
     const CrackleSettings& crackleSettings(std::uint32_t index) const { return crackles_[index]; }
-    const Function& loopBody(std::uint32_t index) const { return *bodies_[index]; }
+    const Function& loopBody(std::uint32_t index) const { return *loops_[index].body; }
+    /// What a loop hands to its body as variables 1, 2, ...; nothing for other nodes of this graph.
+    std::span<const NodeId> captured(const Node& node) const {
+        const bool isLoop = node.operation == Operation::sum || node.operation == Operation::product;
+        return isLoop ? std::span<const NodeId>(loops_[node.index].captured) : std::span<const NodeId>();
+    }
     /// Whether nodes were left out for nodeLimit: the graph is of no use then but for a diagnostic.
     bool overflowed() const { return overflowed_; }
 
@@ -100,12 +104,21 @@ class FunctionGraph {
     std::vector<NodeId> operandsOf(NodeId id) const;
 
   private:
-    NodeId intern(Node node);
+    struct Loop {
+        std::shared_ptr<const Function> body;
+        std::vector<NodeId> captured;
+    };
+
+    NodeId intern(const Node& node);
+    std::size_t placeOf(const Node& node) const;
+    void makePlaces();
 
     std::vector<Node> nodes_;
-    std::unordered_multimap<std::size_t, NodeId> index_;
+    /// Where each node is found: open addressing, from a node's hash onwards. At most half of the places, a
+    /// power of 2, are taken.
+    std::vector<NodeId> places_;
     std::vector<CrackleSettings> crackles_;
-    std::vector<std::shared_ptr<const Function>> bodies_;
+    std::vector<Loop> loops_;
     bool overflowed_ = false;
 };
 

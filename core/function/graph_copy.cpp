@@ -84,7 +84,7 @@ NodeId GraphCopy::into(FunctionGraph& graph, const Function& function, std::size
             case Operation::sum:
             case Operation::product: {
                 std::vector<NodeId> captured;
-                for (const NodeId value : node.captured) captured.push_back(copy[value]);
+                for (const NodeId value : source.captured(node)) captured.push_back(copy[value]);
                 const Function& old = source.loopBody(node.index);
                 const Function inner = body ? body(old, captured) : old;
                 copy[id] = graph.loop(node.operation, operand(0), operand(1), inner, captured);

@@ -34,10 +34,10 @@ bool hasRange(Operation operation) {
 
 /// Calls visit(operand) for every operand of a node, captured values included.
 template <class Visit>
-void forEachOperand(const Node& node, Visit visit) {
+void forEachOperand(const FunctionGraph& graph, const Node& node, Visit visit) {
     for (const NodeId operand : node.operands)
         if (operand != noNode) visit(operand);
-    for (const NodeId operand : node.captured) visit(operand);
+    for (const NodeId operand : graph.captured(node)) visit(operand);
 }
 
 /// Where a vector noise is taken.
@@ -87,7 +87,7 @@ void TapeCompiler::markNeeded() {
     needed_.assign(last_ + 1, false);
     for (const NodeId result : function_.results) needed_[result] = true;
     for (NodeId id = last_ + 1; id-- > 0;)
-        if (needed_[id]) forEachOperand(graph_[id], [&](NodeId operand) { needed_[operand] = true; });
+        if (needed_[id]) forEachOperand(graph_, graph_[id], [&](NodeId operand) { needed_[operand] = true; });
 }
 
 void TapeCompiler::findUniform() {
@@ -102,7 +102,7 @@ void TapeCompiler::findUniform() {
             continue;
         }
         bool uniform = role_ == Role::function || !isLoop(node.operation);
-        forEachOperand(node, [&](NodeId operand) { uniform = uniform && uniform_[operand]; });
+        forEachOperand(graph_, node, [&](NodeId operand) { uniform = uniform && uniform_[operand]; });
         uniform_[id] = uniform;
     }
 }
@@ -116,7 +116,7 @@ void TapeCompiler::extractUniforms() {
     for (const NodeId result : function_.results) read[result] = true;
     for (NodeId id = 0; id <= last_; ++id)
         if (needed_[id] && varying(id))
-            forEachOperand(graph_[id], [&](NodeId operand) { read[operand] = true; });
+            forEachOperand(graph_, graph_[id], [&](NodeId operand) { read[operand] = true; });
 
     FunctionGraph uniforms;
     std::vector<NodeId> copies(last_ + 1, noNode);
@@ -146,7 +146,7 @@ void TapeCompiler::copyUniform(FunctionGraph& target, NodeId id, std::vector<Nod
         case Operation::sum:
         case Operation::product: {
             std::vector<NodeId> captured;
-            for (const NodeId value : node.captured) captured.push_back(copies[value]);
+            for (const NodeId value : graph_.captured(node)) captured.push_back(copies[value]);
             copies[id] =
                 target.loop(node.operation, operand(0), operand(1), graph_.loopBody(node.index), captured);
             return;
@@ -165,7 +165,7 @@ void TapeCompiler::measureSlotNeeds() {
     for (NodeId id = 0; id <= last_; ++id) {
         if (!needed_[id] || !varying(id)) continue;
         needs.clear();
-        forEachOperand(graph_[id], [&](NodeId operand) { needs.push_back(slotNeed_[operand]); });
+        forEachOperand(graph_, graph_[id], [&](NodeId operand) { needs.push_back(slotNeed_[operand]); });
         std::sort(needs.begin(), needs.end(), std::greater<>());
         std::uint32_t need = 1;
         for (std::uint32_t k = 0; k < needs.size(); ++k)
@@ -229,7 +229,7 @@ void TapeCompiler::order() {
             }
             stack.push_back({id, true});
             operands.clear();
-            forEachOperand(graph_[id], [&](NodeId operand) { operands.push_back(operand); });
+            forEachOperand(graph_, graph_[id], [&](NodeId operand) { operands.push_back(operand); });
             // The last pushed comes first: the one that needs most slots.
             std::stable_sort(operands.begin(), operands.end(),
                              [&](NodeId a, NodeId b) { return slotNeed_[a] < slotNeed_[b]; });
@@ -240,7 +240,8 @@ void TapeCompiler::order() {
 
 void TapeCompiler::countUses() {
     uses_.assign(last_ + 1, 0);
-    for (const NodeId id : order_) forEachOperand(graph_[id], [&](NodeId operand) { ++uses_[operand]; });
+    for (const NodeId id : order_)
+        forEachOperand(graph_, graph_[id], [&](NodeId operand) { ++uses_[operand]; });
     for (const NodeId result : function_.results) ++uses_[result];
 }
 
@@ -268,7 +269,7 @@ void TapeCompiler::emit(NodeId id) {
             instruction.index = static_cast<std::uint32_t>(tape_->crackles_.size());
             tape_->crackles_.push_back(graph_.crackleSettings(node.index));
         }
-        forEachOperand(node, [&](NodeId operand) { release(operand); });
+        forEachOperand(graph_, node, [&](NodeId operand) { release(operand); });
         slotOf_[id] = takeSlot();
     }
     instruction.target = slotOf_[id];
@@ -281,11 +282,11 @@ void TapeCompiler::emitLoop(NodeId id, Instruction& instruction) {
     instruction.index = static_cast<std::uint32_t>(tape_->loops_.size());
     TapeLoop loop;
     loop.body = TapeCompiler(graph_.loopBody(node.index), Role::loopBody).compile();
-    for (const NodeId operand : node.captured) loop.captured.push_back(slotOf_[operand]);
+    for (const NodeId operand : graph_.captured(node)) loop.captured.push_back(slotOf_[operand]);
     tape_->loops_.push_back(std::move(loop));
     // The bounds and captured values are read while the total grows, so the target is a slot of its own.
     slotOf_[id] = takeSlot();
-    forEachOperand(node, [&](NodeId operand) { release(operand); });
+    forEachOperand(graph_, node, [&](NodeId operand) { release(operand); });
 }
 
 }  // namespace isoscope
