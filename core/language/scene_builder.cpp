@@ -237,7 +237,8 @@ void SceneBuilder::noteIsosurface(const IsosurfaceStatement& statement, const Tr
     // Copies of a declared isosurface are one statement of the text.
     if (!noted_.insert(statement.shape.get()).second) return;
     scene_.isosurfaces.push_back({statement.shape, transform, statement.range, statement.functionRange,
-                                  statement.functionText, statement.containerRange, statement.number});
+                                  statement.functionText, statement.written, statement.containerRange,
+                                  statement.number});
 }
 
 ShapePointer SceneBuilder::bareShape(const ObjectDescription& description, const Transform& transform,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/function/written_work.h"
 #include "core/scene/camera.h"
 #include "core/scene/fog.h"
 #include "core/scene/interior.h"
@@ -42,10 +43,11 @@ struct SceneObject {
 /// An isosurface of the scene, however deep in CSG, as the panels need it: with its place in the text.
 struct SceneIsosurface {
     std::shared_ptr<const Isosurface> shape;
-    Transform transform;         ///< from its own coordinates to the world
-    SourceRange range;           ///< the whole statement, modifiers included
-    SourceRange functionRange;   ///< between the braces of `function { }`
-    std::string functionText;    ///< the text of that range, directives that stand in it included
+    Transform transform;        ///< from its own coordinates to the world
+    SourceRange range;          ///< the whole statement, modifiers included
+    SourceRange functionRange;  ///< between the braces of `function { }`
+    std::string functionText;   ///< the text of that range, directives that stand in it included
+    std::shared_ptr<const WrittenWork> written;  ///< what its function is to compute; null where no one knows
     SourceRange containerRange;  ///< between the braces of `contained_by { }`; empty where there is none
     int number = 0;  ///< counts isosurface statements as they are read, each time in loops and macros
 };

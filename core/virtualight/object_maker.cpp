@@ -109,6 +109,7 @@ ObjectPointer ObjectMaker::makePrimitive(const Node& node, const ShapeModifiers&
                                     node.functionRange,
                                     std::string(context_.sources.slice(node.functionRange)),
                                     {},
+                                    {},
                                     number};
         }
         object = std::make_shared<const ObjectDescription>(std::move(description));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/function/function_graph.h"
+#include "core/function/written_work.h"
 #include "core/scene/camera.h"
 #include "core/scene/light_source.h"
 #include "core/scene/material.h"
@@ -43,7 +44,8 @@ struct VectorValue {
 struct FunctionValue {
     Function function;
     std::vector<std::string> parameterNames;
-    std::string name;  ///< of a built-in, else empty
+    std::string name;                            ///< of a built-in, else empty
+    std::shared_ptr<const WrittenWork> written;  ///< of an expression; null for what is made otherwise
 };
 
 /// An array of the scene language, shared by the names that refer to it, as a macro's parameter does;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/image/brightness.h"
 #include "core/language/directives/statement_scope.h"
@@ -100,6 +101,9 @@ FunctionOperand FunctionCallParser::applyElementary(const Token& name, const Ele
     const auto node = [&](int k) { return arguments[static_cast<std::size_t>(k)].operand.node; };
     if (function.arguments > 0 && given != function.arguments)
         return failCount(name, plural(function.arguments, "argument"), function.arguments, given);
+    const bool isFolded =
+        function.operation == Operation::minimum || function.operation == Operation::maximum;
+    scope_.written().calls[std::string(name.text)] += isFolded ? given - 1 : 1;
     switch (function.operation) {
         case Operation::power:
             if (given < 1 || given > 2) return failCount(name, "2 arguments", 2, given);
@@ -166,6 +170,7 @@ FunctionOperand FunctionCallParser::parseLoopBody(const Token& name, Operation o
         if (tokens_.accept(")")) return failCount(name, takes, 4, 3);
         return expressions_.failExpected("an operator or `,`");
     }
+    WrittenWork written = std::exchange(scope_.written(), {});
     scope_.beginLoop(std::string(variable.text));
     const NodeId result = expressions_.parse(false).node;
     const FunctionScope::LoopBody loop = scope_.endLoop(result);
@@ -177,6 +182,12 @@ FunctionOperand FunctionCallParser::parseLoopBody(const Token& name, Operation o
         graph.value(bounds[1]) - graph.value(bounds[0]) > loopLimit)
         return expressions_.fail("loop-too-long", callRange(name),
                                  quoted(name) + " would take more than a million steps at every point.");
+    const bool areKnown = graph.isConstant(bounds[0]) && graph.isConstant(bounds[1]);
+    const double steps =
+        areKnown ? graph.value(bounds[1]) - graph.value(bounds[0]) + 1 : WrittenWork::unknownSteps;
+    scope_.written().sums += 1;
+    if (steps > 0) written.add(scope_.written(), steps);
+    scope_.written() = std::move(written);
     return {graph.loop(operation, bounds[0], bounds[1], loop.body, loop.captured)};
 }
 
@@ -198,6 +209,9 @@ FunctionOperand FunctionCallParser::parseCall(const Token& name, const FunctionV
         return expressions_.fail("too-large", name.range,
                                  "The functions of this text call each other too often.",
                                  "together their calls copy more than 5 million operations");
+    WrittenWork& written = scope_.written();
+    (function.written ? written.declaredCalls : written.compiledCalls) += 1;
+    if (function.written) written.add(*function.written, 1);
     std::vector<NodeId> nodes;
     for (const Argument& argument : arguments) nodes.push_back(argument.operand.node);
     return parseMember(name, callComponents(scope_.graph(), function.function, nodes));
@@ -232,6 +246,7 @@ FunctionOperand FunctionCallParser::parseBuiltinCall(const Token& name, const Bu
     const int given = static_cast<int>(arguments.size());
     if (given != builtin.argumentCount())
         return failCount(name, takesOf(builtin), builtin.argumentCount(), given);
+    scope_.written().calls[builtin.name] += 1;
     std::vector<Expression> values;
     const StatementScope call(expressions_.context());
     for (int k = 0; k < given; ++k)

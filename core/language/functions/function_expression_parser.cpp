@@ -185,6 +185,10 @@ FunctionOperand FunctionExpressionParser::divideByConstant(const FunctionOperand
 
 FunctionOperand FunctionExpressionParser::join(Operation operation, const FunctionOperand& left,
                                                const FunctionOperand& right) {
+    WrittenWork& written = scope_.written();
+    (operation == Operation::multiply ? written.products
+     : operation == Operation::divide ? written.quotients
+                                      : written.sums) += 1;
     return {scope_.graph().binary(operation, left.node, right.node)};
 }
 
@@ -194,10 +198,7 @@ FunctionOperand FunctionExpressionParser::joinConstants(Operation operation, con
     const FunctionGraph& graph = scope_.graph();
     if (graph.isConstant(left.node) && graph.isConstant(right.node)) return constantOperand(value);
     // A declared number that a slider moves: the operation has to stay.
-    FunctionOperand result = join(operation, left, right);
-    result.constant = true;
-    result.value = value;
-    return result;
+    return {scope_.graph().binary(operation, left.node, right.node), true, value};
 }
 
 FunctionOperand FunctionExpressionParser::constantOperand(double value) {
@@ -219,6 +220,7 @@ FunctionOperand FunctionExpressionParser::parseSigned() {
     if (operand.constant && scope_.graph().isConstant(operand.node)) {
         operand = constantOperand(-operand.value);
     } else {
+        if (!operand.constant) scope_.written().sums += 1;
         operand.node = scope_.graph().unary(Operation::negate, operand.node);
         operand.value = -operand.value;
     }

@@ -155,7 +155,9 @@ void FunctionParser::parseExpression(FunctionScope& scope, FunctionValue& value,
         expressions.failExpected(untilEnd ? "an operator or the end of the function"
                                           : "an operator or `}` to close the function");
     failed_ = expressions.failed();
-    if (!failed_) keep(scope, {result.node}, value);
+    if (failed_) return;
+    keep(scope, {result.node}, value);
+    value.written = std::make_shared<const WrittenWork>(std::move(scope.written()));
 }
 
 void FunctionParser::keep(FunctionScope& scope, std::vector<NodeId> results, FunctionValue& value) {

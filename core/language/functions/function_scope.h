@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/function/graph_builder.h"
+#include "core/function/written_work.h"
 
 namespace isoscope {
 
@@ -46,6 +47,8 @@ class FunctionScope {
     /// Ends the innermost loop with `result`, a node of its graph; graph() is the one around it again.
     LoopBody endLoop(NodeId result);
 
+    /// What has been read so far; the body of a loop is counted once.
+    WrittenWork& written() { return written_; }
     /// Whether any graph of the function has reached FunctionGraph::nodeLimit.
     bool overflowed() const;
     /// Operations so far, bodies of loops included.
@@ -67,6 +70,7 @@ class FunctionScope {
 
     std::vector<std::string> parameterNames_;
     std::vector<std::unique_ptr<Frame>> frames_;
+    WrittenWork written_;
     std::size_t loopNodes_ = 0;
     bool loopOverflowed_ = false;
 };

@@ -102,6 +102,7 @@ void IsosurfaceParser::parseFunction() {
     hasFunction_ = true;
     functionRange_ = functions.bodyRange();
     functionText_ = std::string(tokens_.context().sources.slice(functionRange_));
+    written_ = value.written;
     settings_.function = {};
     if (!value.function.valid()) return;
     if (value.function.results.size() != 1 || value.function.argumentCount != 3) {
@@ -233,8 +234,8 @@ void IsosurfaceParser::finish(ObjectDescription& description, const SourceRange&
     }
     const auto shape = std::make_shared<const Isosurface>(settings_);
     description.shape = shape;
-    description.isosurface =
-        IsosurfaceStatement{shape, description.range, functionRange_, functionText_, containerRange_, number};
+    description.isosurface = IsosurfaceStatement{shape,    description.range, functionRange_, functionText_,
+                                                 written_, containerRange_,   number};
 }
 
 }  // namespace isoscope

@@ -44,6 +44,7 @@ class IsosurfaceParser {
     IsosurfaceSettings settings_;
     SourceRange functionRange_, containerRange_;
     std::string functionText_;
+    std::shared_ptr<const WrittenWork> written_;
     SourceRange lastItem_;
     std::array<bool, 3> given_{};  ///< which number items the text has
     bool hasFunction_ = false;

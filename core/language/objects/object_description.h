@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/function/written_work.h"
 #include "core/language/objects/wrapping_modifier.h"
 #include "core/scene/light_source.h"
 #include "core/scene/material.h"
@@ -22,6 +23,7 @@ struct IsosurfaceStatement {
     SourceRange range;
     SourceRange functionRange;
     std::string functionText;
+    std::shared_ptr<const WrittenWork> written;
     SourceRange containerRange;  ///< between the braces of `contained_by { }`; empty where there is none
     int number =
         0;  ///< of isosurface statements in the order of reading; those of loops and macros count each time

@@ -15,6 +15,7 @@ namespace isoscope {
 /// One object per thread.
 class BackwardBounds {
   public:
+    /// Where a result is as wanted.
     struct Box {
         LineRegion region;  ///< empty, low above high, where the result is nowhere so
         /// Whether there is nothing to be gained by a closer look: each value is used once, by an operation

@@ -3,15 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <optional>
-#include <string_view>
 
 #include "core/evaluate/reference_evaluator.h"
-#include "core/evaluate/tape/tape_links.h"
 #include "core/function/builtins/builtin.h"
-#include "core/language/tokens/words.h"
 #include "core/render/progressive/tile_scratch.h"
 #include "core/render/render_image.h"
 #include "core/study/accuracy/povray_call_times.h"
@@ -20,26 +16,24 @@ namespace isoscope {
 
 namespace {
 
-/// Steps of a loop whose bounds depend on the place.
-constexpr double unknownSteps = 10;
-
-/// Nanoseconds on the machine where POV-Ray 3.7.0.10 was timed: with them 65 of 75 scenes (examples,
+/// Nanoseconds on the machine where POV-Ray 3.7.0.10 was timed: with them 72 of 75 scenes (examples,
 /// tests/bench, insert menu; 320x240, the quickest of three runs) are told to 25 %. tools/povray-time times
 /// and fits anew: quotients came to nothing beside what is around them. Products take longer than sums
 /// because their factors go through the interpreter's stack.
 struct PovrayCost {
-    double pixel = 200;
-    double evaluation = 34;
+    double pixel = 100;
+    double hit = 400;
+    double evaluation = 35;
     double product = 9;
     double sum = 5;
     double nativeStep = 0.36;
-    double call = 33;
-    double declaredCall = 41;
-    double patternCall = 32;
-    double pigmentCall = 61;
+    double call = 25;
+    double declaredCall = 30;
+    double patternCall = 60;
+    double pigmentCall = 90;
     double wave = 14;
     double power = 21;
-    double noise = 38;
+    double noise = 45;
     double vectorNoise = 32;
     double cell = 273;
 };
@@ -85,20 +79,6 @@ constexpr double FunctionWork::*members[] = {
     &FunctionWork::powers,       &FunctionWork::noises,        &FunctionWork::vectorNoises,
     &FunctionWork::cells,        &FunctionWork::timedCalls};
 
-bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
-/// Whether the call whose parenthesis opens at `open` is followed by a component, as that of a pigment is.
-bool hasComponent(std::string_view text, std::size_t open) {
-    int depth = 0;
-    for (std::size_t i = open; i < text.size(); ++i) {
-        depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
-        if (depth > 0) continue;
-        i = text.find_first_not_of(" \t\n", i + 1);
-        return i != std::string_view::npos && text[i] == '.';
-    }
-    return false;
-}
-
 void count(Operation operation, FunctionWork& work) {
     switch (factsOf(operation).work) {
         case PovrayWork::sum: work.sums += 1; break;
@@ -112,83 +92,27 @@ void count(Operation operation, FunctionWork& work) {
     }
 }
 
-/// What the text of a function says of its work.
-class WrittenWork {
-  public:
-    explicit WrittenWork(std::string_view text) : text_(text) {
-        for (at_ = 0; at_ < text_.size(); ++at_) {
-            if (skipComment()) continue;
-            if (isWord(text_[at_])) {
-                takeWord();
-                continue;
-            }
-            work.products += text_[at_] == '*';
-            work.quotients += text_[at_] == '/';
-            work.powers += text_[at_] == '^';
-            work.sums += std::string_view("+-<>=!&|").find(text_[at_]) != std::string_view::npos;
-            // Loops and branches of directives are written once.
-            hasMore_ |= text_[at_] == '#';
-        }
-    }
-
-    /// Whether nothing is behind what is written: no function of the text, no directive. False where nothing
-    /// is written.
-    bool isAll() const { return !text_.empty() && !hasMore_; }
-
-    /// Calls by their kinds; those that are timed by themselves with their times as well.
+/// Calls by their kinds; those whose time is known by itself with their times as well.
+FunctionWork workOf(const WrittenWork& written) {
     FunctionWork work;
-
-  private:
-    bool skipComment() {
-        const std::string_view left = text_.substr(at_);
-        const bool isLine = left.starts_with("//");
-        if (!isLine && !left.starts_with("/*")) return false;
-        const std::size_t end = isLine ? left.find('\n') : left.find("*/", 2);
-        at_ = end == std::string_view::npos ? text_.size() - 1 : at_ + end + (isLine ? 0 : 1);
-        return true;
-    }
-
-    void takeWord() {
-        const std::size_t begin = at_;
-        while (at_ + 1 < text_.size() && isWord(text_[at_ + 1])) ++at_;
-        const std::string_view word = text_.substr(begin, at_ + 1 - begin);
-        const std::size_t next = text_.find_first_not_of(" \t\r\n", at_ + 1);
-        if (next == std::string_view::npos || text_[next] != '(') return;
-        if (const Builtin* builtin = findBuiltin(word))
-            (builtin->id < 0 ? work.patternCalls : work.calls) += 1;
-        else if (!isReservedWord(word))
-            (hasComponent(text_, next) ? work.pigmentCalls : work.declaredCalls) += 1;
-        if (const std::optional<double> time = povrayCallTime(word))
-            work.timedCalls += *time;
-        else
-            hasMore_ = true;
-    }
-
-    std::string_view text_;
-    std::size_t at_ = 0;
-    bool hasMore_ = false;
-};
-
-/// As workOf(), of a tape without loops, as if each operand was worked out for itself.
-FunctionWork workApart(const Tape& tape) {
-    const TapeLinks links(tape);
-    const SimplifiedTape& whole = links.whole();
-    std::vector<double> times(whole.instructions.size());
-    const auto use = [&](SimplifiedTape::Value value, double more) {
-        if (!SimplifiedTape::isFixed(value)) times[value] += more;
-    };
-    use(whole.resultValue, 1);
-    FunctionWork work;
-    for (std::size_t i = times.size(); i-- > 0;) {
-        const Instruction& instruction = whole.instructions[i];
-        FunctionWork one;
-        count(instruction.operation, one);
-        work += one * times[i];
-        const bool isTwice = instruction.operation == Operation::square;
-        for (std::size_t k = 0; k < instruction.operandCount; ++k)
-            use(whole.links[i].operands[k], isTwice ? 2 * times[i] : times[i]);
+    work.products = written.products;
+    work.quotients = written.quotients;
+    work.sums = written.sums;
+    work.declaredCalls = written.declaredCalls;
+    work.pigmentCalls = written.compiledCalls;
+    for (const auto& [name, count] : written.calls) {
+        if (const Builtin* builtin = findBuiltin(name))
+            (builtin->id < 0 ? work.patternCalls : work.calls) += count;
+        if (const std::optional<double> time = povrayCallTime(name)) work.timedCalls += *time * count;
     }
     return work;
+}
+
+/// Whether nothing is done but by the interpreter and by functions whose time is known by itself.
+bool isAllKnown(const WrittenWork& written) {
+    return written.compiledCalls == 0 && std::ranges::all_of(written.calls, [](const auto& call) {
+               return povrayCallTime(call.first).has_value();
+           });
 }
 
 std::uint64_t pixelsThatHit(const RenderStatistics& statistics) {
@@ -229,34 +153,27 @@ FunctionWork workOf(const Tape& tape, std::span<const double> parameters) {
         }
         const auto first = known(instruction.operands[0]), last = known(instruction.operands[1]);
         const double steps =
-            first && last ? std::clamp(std::floor(*last - *first) + 1, 0.0, 1e6) : unknownSteps;
+            first && last ? std::clamp(std::floor(*last - *first) + 1, 0.0, 1e6) : WrittenWork::unknownSteps;
         work += workOf(*tape.loop(instruction.index).body, parameters) * (std::isnan(steps) ? 0 : steps);
     }
     return work;
 }
 
 FunctionWork workOf(const SceneIsosurface& isosurface, std::span<const double> parameters) {
-    const WrittenWork written(isosurface.functionText);
-    if (written.isAll()) {
-        FunctionWork all = written.work;
-        if (all.calls + all.patternCalls == 0) {
-            // What is constant is worked out beforehand.
-            const FunctionWork apart = workApart(*isosurface.shape->tape());
-            all.products = std::min(all.products, apart.products);
-            all.sums = std::min(all.sums, apart.sums);
-        }
+    if (!isosurface.written) return workOf(*isosurface.shape->tape(), parameters);
+    FunctionWork written = workOf(*isosurface.written);
+    if (isAllKnown(*isosurface.written)) {
         // They are among those that are timed.
-        all.calls = all.patternCalls = 0;
-        return all;
+        written.calls = written.patternCalls = 0;
+        return written;
     }
     FunctionWork work = workOf(*isosurface.shape->tape(), parameters);
-    work.calls = written.work.calls;
-    work.declaredCalls = written.work.declaredCalls;
-    work.patternCalls = written.work.patternCalls;
-    work.pigmentCalls = written.work.pigmentCalls;
-    if (work.calls + work.patternCalls + work.pigmentCalls == 0) return work;
-    const double products = std::min(written.work.products, work.products);
-    const double sums = std::min(written.work.sums, work.sums);
+    work.calls = written.calls;
+    work.declaredCalls = written.declaredCalls;
+    work.patternCalls = written.patternCalls;
+    work.pigmentCalls = written.pigmentCalls;
+    const double products = std::min(written.products, work.products);
+    const double sums = std::min(written.sums, work.sums);
     work.nativeSteps = work.products + work.sums - products - sums;
     work.products = products;
     work.sums = sums;
@@ -275,6 +192,7 @@ PovrayCounts countForPovray(RenderRequest request, int width, std::stop_token st
     RenderStatistics statistics;
     renderImage(request, 1, &statistics, stop);
     counts.pixels = static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height);
+    counts.hits = pixelsThatHit(statistics);
     counts.rays = statistics.rays;
     counts.evaluations = statistics.evaluations;
     for (const StageReport& stage : statistics.stages) {
@@ -317,7 +235,8 @@ double povraySeconds(const PovrayCounts& counts, double pixels, double evaluatio
     const double excess =
         counts.repeatedEvaluations / std::max(1.0, static_cast<double>(counts.primaryEvaluations));
     const double evaluations = evaluationsPerPixel * (counts.lightFactor() + excess);
-    const double nanoseconds = cost.pixel + evaluationTime(counts.work) * evaluations;
+    const double hits = static_cast<double>(counts.hits) / static_cast<double>(counts.pixels);
+    const double nanoseconds = cost.pixel + cost.hit * hits + evaluationTime(counts.work) * evaluations;
     return pixels * nanoseconds * 1e-9 * machineSlowness();
 }
 

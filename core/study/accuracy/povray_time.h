@@ -36,16 +36,15 @@ struct FunctionWork {
 /// As if the interpreter did it all, without any call.
 FunctionWork workOf(const Tape& tape, std::span<const double> parameters);
 
-/// By the text of the function where that says all: operators, elementary functions and calls whose time is
-/// known (povrayCallTime); POV-Ray evaluates what is written twice twice. Elsewhere the text tells the steps
-/// of the interpreter from those of built-in functions: where it calls any, only as many operators as stand
-/// in it are the interpreter's. What is inside of functions that the text has declared is not seen, but for
-/// the calls themselves.
+/// By what is written (WrittenWork) where that is all: operators, and calls whose time is known
+/// (povrayCallTime). Elsewhere it tells the steps of the interpreter from those of built-in functions and
+/// pigments: only as many operators as are written are the interpreter's.
 FunctionWork workOf(const SceneIsosurface& isosurface, std::span<const double> parameters);
 
 /// What a small picture by POV-Ray's method took; deterministic.
 struct PovrayCounts {
     std::uint64_t pixels = 0;
+    std::uint64_t hits = 0;                ///< pixels that show something
     std::uint64_t rays = 0;                ///< of the camera and of shadows, mirrors and glass
     std::uint64_t evaluations = 0;         ///< by all of them
     std::uint64_t primaryEvaluations = 0;  ///< by the camera's
@@ -72,7 +71,7 @@ double povraySeconds(const PovrayCounts& counts, double pixels);
 /// The same when the camera's rays take `evaluationsPerPixel` instead of what was counted.
 double povraySeconds(const PovrayCounts& counts, double pixels, double evaluationsPerPixel);
 
-/// What a prediction may be off by, as a person is told. Six of seven of the scenes that the figures were
+/// What a prediction may be off by, as a person is told. 24 of 25 of the scenes that the figures were
 /// fitted to are within half of that, but a machine that others use takes half as long again now and then.
 constexpr double povrayTimeError = 0.5;
 
