@@ -49,7 +49,7 @@ class TapeSimplifier {
     /// The same for the choices that some lanes (a bit for each) have in common.
     void simplify(std::span<const LaneChoices> choices, std::uint64_t lanes, std::size_t result,
                   SimplifiedTape& simplifiedTape);
-    /// How many instructions would be left.
+    /// How many instructions simplify() would leave.
     std::size_t countLeft(std::span<const Choice> choices, std::size_t result);
     /// The same for choices of the whole tape, whatever the base is, and its first result.
     void simplify(const DecidedChoices& choices, SimplifiedTape& simplifiedTape);

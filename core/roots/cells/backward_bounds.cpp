@@ -40,21 +40,25 @@ std::size_t BackwardBounds::placeOf(Value value) const {
                                           : static_cast<std::size_t>(tape_.argumentCount()) + value;
 }
 
+/// Whether it is the same everywhere.
+bool BackwardBounds::isUniform(Value value) const {
+    return SimplifiedTape::isFixed(value) && tape_.isUniform(value - SimplifiedTape::fixed);
+}
+
 Interval BackwardBounds::valueOf(Value value) const {
-    const bool isUniform = SimplifiedTape::isFixed(value) && tape_.isUniform(value - SimplifiedTape::fixed);
-    return isUniform ? Interval::point(uniforms_.of(tape_, value - SimplifiedTape::fixed))
-                     : values_[placeOf(value)];
+    if (isUniform(value)) return Interval::point(uniforms_.of(tape_, value - SimplifiedTape::fixed));
+    return values_[placeOf(value)];
 }
 
 void BackwardBounds::narrow(Value value, const Interval& to) {
-    if (SimplifiedTape::isFixed(value) && tape_.isUniform(value - SimplifiedTape::fixed)) return;
+    if (isUniform(value)) return;
     Interval& values = values_[placeOf(value)];
     values.low = std::max(values.low, to.low);
     values.high = std::min(values.high, to.high);
 }
 
 void BackwardBounds::use(Value value) {
-    if (SimplifiedTape::isFixed(value) && tape_.isUniform(value - SimplifiedTape::fixed)) return;
+    if (isUniform(value)) return;
     isTight_ &= !isUsed_[placeOf(value)];
     isUsed_[placeOf(value)] = true;
 }

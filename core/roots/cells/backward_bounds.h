@@ -33,6 +33,7 @@ class BackwardBounds {
   private:
     using Value = SimplifiedTape::Value;
 
+    bool isUniform(Value value) const;
     std::size_t placeOf(Value value) const;
     Interval valueOf(Value value) const;
     void narrow(Value value, const Interval& to);
