@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "widgets/refused_memory.h"
+
 namespace isoscope {
 
 LatestWorker::LatestWorker() : thread_([this](std::stop_token stop) { run(stop); }) {}
@@ -28,7 +30,7 @@ void LatestWorker::run(std::stop_token stop) {
         Task task = std::exchange(waiting_, nullptr);
         busy_ = true;
         lock.unlock();
-        task(stop);
+        doneUnlessMemoryIsRefused([&] { task(stop); });
         // What it holds, scenes for one, may take long to go, and the lock keeps callers waiting.
         task = nullptr;
         lock.lock();

@@ -14,7 +14,8 @@ namespace isoscope {
 /// something is always shown; only the destructor asks it to stop, and then waits for it.
 class LatestWorker {
   public:
-    /// A task must not throw and should look at the token often. It runs in the worker's thread.
+    /// A task should look at the token often. It runs in the worker's thread, and throws nothing but
+    /// std::bad_alloc, which ends it.
     using Task = std::function<void(std::stop_token)>;
 
     LatestWorker();

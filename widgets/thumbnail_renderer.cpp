@@ -18,6 +18,7 @@
 #include "core/render/render_image.h"
 #include "core/study/view/fitted_view.h"
 #include "widgets/background_priority.h"
+#include "widgets/refused_memory.h"
 
 namespace isoscope {
 namespace {
@@ -96,7 +97,8 @@ struct ThumbnailRenderer::Worker {
                 job = std::move(waiting.back());
                 waiting.pop_back();
             }
-            const QImage image = render(job.scene, owner->size_, stop);
+            QImage image;
+            doneUnlessMemoryIsRefused([&] { image = render(job.scene, owner->size_, stop); });
             if (stop.stop_requested()) return;
             if (!image.isNull()) store(image, job.file);
             QMetaObject::invokeMethod(

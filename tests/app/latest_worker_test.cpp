@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
 #include <QTest>
+#include <new>
 #include <semaphore>
 
 #include "widgets/latest_worker.h"
@@ -62,6 +63,23 @@ class LatestWorkerTest : public QObject {
             worker.submit([&](std::stop_token) { ran = true; });
         }
         QVERIFY(!ran);
+    }
+
+    /// The program ended there, as the test of little memory shows with 400 MB.
+    void refusedMemoryEndsTheTaskAlone() {
+        LatestWorker worker;
+        std::binary_semaphore begun(0), proceed(0);
+        std::atomic<bool> ran = false;
+        worker.submit([&](std::stop_token) {
+            begun.release();
+            proceed.acquire();
+            throw std::bad_alloc();
+        });
+        begun.acquire();
+        worker.submit([&](std::stop_token) { ran = true; });
+        proceed.release();
+        QTRY_VERIFY(worker.idle());
+        QVERIFY(ran);
     }
 
     void idleBeforeTheFirstTask() { QVERIFY(LatestWorker().idle()); }

@@ -7,6 +7,7 @@
 
 #include "widgets/background_priority.h"
 #include "widgets/either_stop.h"
+#include "widgets/refused_memory.h"
 #include "widgets/timing.h"
 
 namespace isoscope {
@@ -168,7 +169,7 @@ void VerdictStudy::run(std::stop_token stop) {
             jobStop_.request_stop();
             wake_.notify_all();
         });
-        judge(work);
+        doneUnlessMemoryIsRefused([&] { judge(work); });
     }
 }
 
