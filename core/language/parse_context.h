@@ -90,6 +90,8 @@ struct ParseContext {
     /// The sliders found so far; NumberValue::parameter and slots refer to it.
     std::vector<SceneParameter> parameters;
     std::vector<double> parameterTable;
+    /// Those that loops declare anew, by index: where something begins to count is no slider in the end.
+    std::set<int> counters;
     /// The parameter whose range begins at this byte of the user's text: a literal in a loop is one slider.
     std::unordered_map<std::uint32_t, int> parameterAt;
     /// The settings that isosurfaces leave out, and the byte where each could stand: several share one.

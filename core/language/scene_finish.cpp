@@ -133,7 +133,9 @@ void finishScene(SceneDraft& draft, ParseContext& context) {
                         "A pattern is too large to be simulated; what it colours is drawn in grey.",
                         {},
                         {}});
-    scene.parameters = std::move(context.parameters);
+    for (std::size_t k = 0; k < context.parameters.size(); ++k)
+        if (!context.counters.contains(static_cast<int>(k)))
+            scene.parameters.push_back(std::move(context.parameters[k]));
     addDefaultView(draft, context);
     if (context.stopAsked() && context.complete) context.report(context.stopMessage({}));
 }

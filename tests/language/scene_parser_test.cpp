@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/language/parse.h"
+#include "core/text/number_format.h"
 #include "test_folders.h"
 #include "tests/support/problems.h"
 
@@ -155,6 +156,20 @@ plane { y, -1 pigment { rgb 0 } }
         QCOMPARE(found, (std::vector<std::string>{"center x=0.5", "center y=-1", "center z=0", "radius=1.2",
                                                   "threshold=-0.5", "accuracy=0.01 log",
                                                   "max_gradient=2*3 log expression"}));
+    }
+
+    /// The counter of csg.pov's loop was the second slider of the window.
+    void whereALoopBeginsToCountIsNoSlider() {
+        const ParseResult parsed = parseScene(
+            "#declare R = 0.5; #declare I = 0; #declare J = R; #declare N = 3;\n"
+            "#macro Twice(A) #local R = A; #local R = R + A; R #end\n"
+            "#while (I < N) sphere { I*x, R } #declare I = I + 1; #declare J = J + Twice(R); #end\n"
+            "#declare N = 4; sphere { J, N }");
+        QVERIFY2(parsed.ok(), problems(parsed).c_str());
+        std::vector<std::string> found;
+        for (const SceneParameter& p : parsed.scene->parameters)
+            if (p.role == ParameterRole::declared) found.push_back(p.name + "=" + shortestNumber(p.value));
+        QCOMPARE(found, (std::vector<std::string>{"R=0.5", "N=3", "N=4"}));
     }
 
     void settingsThatAreLeftOutAreOfferedOnce() {

@@ -138,6 +138,7 @@ void DefinitionReader::assign(const Target& target, Value value, bool local) {
     }
     SymbolTable& symbols = tokens_.context().symbols;
     const std::string name(target.name.text);
+    if (!local && isInLoop()) noteCounter(name);
     if (local)
         symbols.declareLocal(name, std::move(value), target.scopeCount);
     else
@@ -164,12 +165,25 @@ void DefinitionReader::assignComponent(const Target& target, const Value& value)
 }
 
 bool DefinitionReader::mayBeSlider(bool local, const Target& target, const SourceRange& literal) const {
-    const TokenStream::State& state = *tokens_.state_;
-    const auto& blocks = state.frames.front().blocks;
-    const bool inLoop =
-        std::any_of(blocks.begin(), blocks.end(), [](const DirectiveBlock& b) { return b.isLoop(); });
-    return !local && !target.element && !target.component && literal.file == 0 && state.frames.size() == 1 &&
-           !inLoop;
+    return !local && !target.element && !target.component && literal.file == 0 &&
+           tokens_.state_->frames.size() == 1 && !isInLoop();
+}
+
+/// A name that a loop declares anew: what it was declared as before is where it begins.
+void DefinitionReader::noteCounter(const std::string& name) {
+    ParseContext& context = tokens_.context();
+    const Value* before = context.symbols.find(name);
+    const auto* number = before ? std::get_if<NumberValue>(&before->data) : nullptr;
+    if (!number || number->parameter < 0) return;
+    // The name may stand for a number that another name was declared as.
+    if (context.parameters[static_cast<std::size_t>(number->parameter)].name == name)
+        context.counters.insert(number->parameter);
+}
+
+/// Whether a loop of the user's text goes on.
+bool DefinitionReader::isInLoop() const {
+    return std::ranges::any_of(tokens_.state_->frames.front().blocks,
+                               [](const DirectiveBlock& block) { return block.isLoop(); });
 }
 
 int DefinitionReader::sliderFor(const std::string& name, double value, const SourceRange& literal) {

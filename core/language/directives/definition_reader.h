@@ -40,6 +40,8 @@ class DefinitionReader {
     /// NumberValue.
     int sliderFor(const std::string& name, double value, const SourceRange& literal);
     bool mayBeSlider(bool local, const Target& target, const SourceRange& literal) const;
+    void noteCounter(const std::string& name);
+    bool isInLoop() const;
 
     TokenStream& tokens_;
     SourceRange directive_;
