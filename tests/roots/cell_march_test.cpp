@@ -52,7 +52,8 @@ class March {
           polish_(gradients_, settings_),
           points_(function_),
           fallback_(points_, settings_),
-          cells(*function_, {settings_, forms_, march_, polish_, fallback_, gradients_}) {}
+          parts_(*function_, settings_),
+          cells(*function_, {settings_, forms_, march_, polish_, fallback_, gradients_, parts_}) {}
 
     CellMarch::Outcome run(const std::vector<LineQuery>& lines) {
         const LineTable table(lines);
@@ -72,6 +73,7 @@ class March {
     NewtonPolish polish_;
     PointEvaluator points_;
     RootPolish fallback_;
+    LazyUnionParts parts_;
 
   public:
     CellMarch cells;

@@ -309,6 +309,47 @@ class UnionPartsTest : public QObject {
         QVERIFY(hits > 2000 && walls > 20 && lines > 3 * hits / 2);
     }
 
+    /// The same of all roots of lines.
+    void listsAreThoseOfTheWholeFunction() {
+        std::mt19937_64 random(seed + 3);
+        std::size_t lines = 0, all = 0, walls = 0;
+        for (int round = 0; round < 12; ++round) {
+            RootSettings settings;
+            settings.positivePolarity = round % 2 == 1;
+            settings.open = round % 3 == 2;
+            settings.accuracy = 1e-4;
+            settings.maxTrace = 10;
+            const auto tape = RandomUnion(random, settings.positivePolarity).tape;
+            CertifiedRootFinder whole(tape, {}, settings);
+            settings.region = LineRegion{glm::dvec3(-1.6), glm::dvec3(1.6)};
+            CertifiedRootFinder byParts(tape, {}, settings);
+            for (int view = 0; view < 40; ++view) {
+                const std::vector<LineQuery> tile = randomTile(random);
+                std::vector<RootList> expected(tile.size()), found(tile.size());
+                // One by one, by nothing but the whole tape.
+                for (std::size_t k = 0; k < tile.size(); ++k) {
+                    whole.find({&tile[k], 1}, {}, {&expected[k], 1});
+                    if (whole.verdicts()[0] > Verdict::certifiedMiss) expected[k] = {{-1, RootKind::pole}};
+                }
+                byParts.find(tile, {}, found);
+                for (std::size_t k = 0; k < tile.size(); ++k) {
+                    if (!expected[k].empty() && expected[k][0].kind == RootKind::pole) continue;
+                    if (byParts.verdicts()[k] > Verdict::certifiedMiss) continue;
+                    ++lines;
+                    QCOMPARE(found[k].size(), expected[k].size());
+                    for (std::size_t i = 0; i < found[k].size(); ++i) {
+                        QCOMPARE(found[k][i].kind, expected[k][i].kind);
+                        QVERIFY(std::abs(found[k][i].t - expected[k][i].t) < 1e-3 * settings.accuracy);
+                        ++all;
+                        walls += found[k][i].kind != RootKind::crossing;
+                    }
+                }
+            }
+        }
+        qInfo("%zu lines, %zu roots, %zu of them walls", lines, all, walls);
+        QVERIFY(lines > 20000 && all > 5000 && walls > 20);
+    }
+
     /// 64 times as many balls on the same sphere need no more enclosures.
     void manyPartsCostWhatIsSeen() {
         const auto enclosures = [](int count) {

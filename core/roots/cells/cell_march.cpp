@@ -38,8 +38,7 @@ std::uint64_t lanesFrom(std::size_t first, std::size_t end) {
 }  // namespace
 
 CellMarch::CellMarch(const PreparedFunction& function, const Tools& tools)
-    : function_(function),
-      tools_(tools),
+    : tools_(tools),
       shortTapes_(function),
       tree_(function, tools.settings),
       pieces_(function, tools.settings),
@@ -52,7 +51,7 @@ CellMarch::Outcome CellMarch::run(const LineColumns& lines, double sufficient, c
     if (!bundle) return Outcome::nothingAsked;
     tree_.begin(*bundle);
     cutTiles(lines);
-    if (!parts_) parts_.emplace(function_, tools_.settings, tools_.march, tools_.polish, settler_);
+    if (!parts_) parts_.emplace(tools_.parts.get(), tools_.march, tools_.polish, settler_);
     if (!parts_->possible() && !pays()) return Outcome::vain;
     std::size_t begun = 0;
     const std::uint64_t before = work();

@@ -42,6 +42,7 @@ class CellMarch {
         NewtonPolish& polish;
         RootPolish& fallback;  ///< for what the first leaves
         GradientEvaluator& gradients;
+        LazyUnionParts& parts;
     };
 
     /// `function` is what the tools evaluate; it must outlive the march.
@@ -97,7 +98,6 @@ class CellMarch {
     std::uint64_t work() const { return work_ + tree_.work() + pieces_.work(); }
     void close(std::size_t line, Tile& tile);
 
-    const PreparedFunction& function_;
     Tools tools_;
     ShortTapes shortTapes_;
     CellTree tree_;

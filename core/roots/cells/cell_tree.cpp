@@ -73,7 +73,10 @@ void CellTree::begin(const LineBundle& bundle) {
     const LineRegion reached = regionOf(bundle);
     const bool usual = settings_.region && holds(rootBox(*settings_.region), reached);
     const LineRegion& region = usual ? *settings_.region : reached;
-    if (!cells_.empty() && memory_ <= mostMemory && same(region, region_)) return;
+    if (cells_.empty() || memory_ > mostMemory || !same(region, region_)) beginIn(region);
+}
+
+void CellTree::beginIn(const LineRegion& region) {
     region_ = region;
     instructions_ = memory_ = 0;
     madeFor_ = nullptr;
@@ -100,20 +103,64 @@ const CellTree::Cell& CellTree::find(const LineBundle& bundle, double t) {
     const double free = std::max(0.0, 0.5 * parts * width - reach);
     const glm::dvec3 place = center + free / largest(glm::abs(bundle.direction)) * bundle.direction;
     while (levels-- > 0 && cell->sign == 0 && isLong(*cell)) {
-        const std::size_t count = cell == &cells_.front() ? partsOfRoot : parts;
         if (!cell->division) divide(*cell);
-        std::size_t child = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double along = (place[axis] - cell->center[axis]) / cell->halfWidth + 0.5;
-            child = child * count + static_cast<std::size_t>(std::clamp(along * static_cast<double>(count),
-                                                                        0.0, static_cast<double>(count - 1)));
-        }
-        Cell* const next = cell->division->children[child];
-        if (largest(glm::abs(center - next->center)) + reach >= next->halfWidth) break;
-        cell = next;
+        Cell& next = childAt(*cell, partsOf(*cell), place);
+        if (largest(glm::abs(center - next.center)) + reach >= next.halfWidth) break;
+        cell = &next;
     }
     if (cell->sign <= 0) keepTape(*cell);
     return *cell;
+}
+
+bool CellTree::beginPoints() {
+    if (!settings_.region) return false;
+    const double halfWidth = halfWidthOf(*settings_.region);
+    if (!(halfWidth > 0) || !std::isfinite(halfWidth)) return false;
+    beginIn(*settings_.region);
+    return true;
+}
+
+const CellTree::Cell* CellTree::at(const glm::dvec3& point) {
+    if (!holds(region_, {point, point})) return nullptr;
+    if (instructions_ > mostInstructions) dropTapes();
+    if (memory_ > mostMemory) beginIn(region_);
+    Cell* cell = &cells_.front();
+    for (int level = 0; level < deepest && cell->sign == 0; ++level) {
+        if (!cell->division) {
+            if (!isWorthDividing(*cell)) break;
+            divide(*cell);
+        }
+        cell = &childAt(*cell, partsOf(*cell), point);
+    }
+    if (cell == &cells_.front()) return nullptr;
+    if (cell->sign == 0) keepTape(*cell);
+    return cell;
+}
+
+/// The child of a divided cell, `count` of them on each axis, that a place is in, or next to.
+CellTree::Cell& CellTree::childAt(const Cell& cell, std::size_t count, const glm::dvec3& place) {
+    std::size_t child = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double along = (place[axis] - cell.center[axis]) / cell.halfWidth + 0.5;
+        child = child * count + static_cast<std::size_t>(std::clamp(along * static_cast<double>(count), 0.0,
+                                                                    static_cast<double>(count - 1)));
+    }
+    return *cell.division->children[child];
+}
+
+/// Into how many it is divided on each axis.
+std::size_t CellTree::partsOf(const Cell& cell) const {
+    return &cell == &cells_.front() ? partsOfRoot : parts;
+}
+
+/// Whether another point in a cell that is not divided is a reason to do that.
+bool CellTree::isWorthDividing(Cell& cell) {
+    // About what it costs, in values of points.
+    constexpr std::uint32_t price = 8;
+    if (++cell.points <= price || !isLong(cell)) return false;
+    const Cell* before = &cell;
+    for (int level = 0; level < 3; ++level) before = before->parent != nullptr ? before->parent : before;
+    return before->parent == nullptr || *cell.length < *before->length;
 }
 
 void CellTree::divide(Cell& cell) {

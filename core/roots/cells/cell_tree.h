@@ -42,6 +42,7 @@ class CellTree {
         std::unique_ptr<const SimplifiedTape> ownTape;
         std::optional<std::size_t> length;  ///< of its tape, once it was made
         std::uint64_t lastUse = 0;
+        std::uint32_t points = 0;  ///< that were asked for in it and in none of its children
         const Cell* parent = nullptr;
         std::size_t number = 0;  ///< among the children of its parent
         std::unique_ptr<Division> division;
@@ -62,6 +63,14 @@ class CellTree {
     /// for.
     const Cell& find(const LineBundle& bundle, double t);
 
+    /// To be called once before points are asked for, in the place of begin(). False where that is no use:
+    /// settings.region is not told, or has no size.
+    bool beginPoints();
+    /// A cell whose box holds a point of settings.region; null for others, and for those that are asked for
+    /// so far only by a few: the whole tape holds there. Cells are divided when they have cost as much as
+    /// that does, and as long as it makes tapes shorter. Valid until the next one is asked for.
+    const Cell* at(const glm::dvec3& point);
+
     /// The tape that holds everywhere.
     const SimplifiedTape& whole() const { return links_.whole(); }
     /// Boxes enclosed so far.
@@ -70,6 +79,10 @@ class CellTree {
     std::uint64_t work() const { return boxes_.work(); }
 
   private:
+    void beginIn(const LineRegion& region);
+    static Cell& childAt(const Cell& cell, std::size_t count, const glm::dvec3& place);
+    std::size_t partsOf(const Cell& cell) const;
+    bool isWorthDividing(Cell& cell);
     void divide(Cell& cell);
     void decide(const Cell& cell, DecidedChoices& decided) const;
     const SimplifiedTape& tapeOf(Cell& cell);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -34,6 +35,9 @@ class ChoicePieces {
     void place(const LineBundle& bundle, const DepthRange& range, std::size_t lane);
     /// Encloses the pieces of the first `count` lanes.
     void enclose(std::size_t count);
+
+    /// In the place of enclose(): nothing is inside in these lanes, and nothing decided.
+    void setOutside(std::size_t count) { std::fill_n(signs_.begin(), count, 1.0); }
 
     /// The certain sign of the function all over an enclosed piece, negative inside; 0 where there is none.
     double sign(std::size_t lane) const { return signs_[lane]; }

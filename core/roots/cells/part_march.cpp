@@ -12,9 +12,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-PartMarch::PartMarch(const PreparedFunction& function, const RootSettings& settings, MarchKernel& march,
-                     NewtonPolish& polish, CrossingSettler& settler)
-    : parts_(function, settings), march_(march), polish_(polish), settler_(settler) {
+PartMarch::PartMarch(const UnionParts& parts, MarchKernel& march, NewtonPolish& polish,
+                     CrossingSettler& settler)
+    : parts_(parts), march_(march), polish_(polish), settler_(settler) {
     met_.reserve(batchLanes);
 }
 

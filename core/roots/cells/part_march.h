@@ -22,8 +22,7 @@ namespace isoscope {
 class PartMarch {
   public:
     /// The references must outlive the march.
-    PartMarch(const PreparedFunction& function, const RootSettings& settings, MarchKernel& march,
-              NewtonPolish& polish, CrossingSettler& settler);
+    PartMarch(const UnionParts& parts, MarchKernel& march, NewtonPolish& polish, CrossingSettler& settler);
 
     /// Whether there is anything to be searched in this way.
     bool possible() const { return !parts_.empty(); }
@@ -49,7 +48,7 @@ class PartMarch {
     void search(const SimplifiedTape& tape, double sufficient, std::size_t first, FirstRoots& roots);
     void end(std::size_t i, Outcome outcome);
 
-    UnionParts parts_;
+    const UnionParts& parts_;
     MarchKernel& march_;
     NewtonPolish& polish_;
     CrossingSettler& settler_;

@@ -9,6 +9,7 @@
 #include "core/roots/cells/choice_pieces.h"
 #include "core/roots/certified/general_search_lanes.h"
 #include "core/roots/cells/short_tapes.h"
+#include "core/roots/cells/part_tapes.h"
 #include "core/roots/line_query.h"
 
 namespace isoscope {
@@ -18,15 +19,19 @@ class PreparedFunction;
 /// The search along neighbouring lines for functions full of choices (unions of many parts): tiles of lines
 /// times ranges of depth. One enclosure of a tile in a range tells which choices are decided there, and the
 /// lines are searched range by range with tapes that hold only what the sign of the function depends on there
-/// (docs/evaluation.md). What is decided alike for all lines and ranges is left out first.
+/// (docs/evaluation.md). What is decided alike for all lines and ranges is left out first, and of unions of
+/// small parts those whose boxes the lines do not meet (UnionParts).
 class SlabSearch {
   public:
     static constexpr std::size_t tileLines = batchLanes;
     /// Ranges of depth.
     static constexpr std::size_t slabs = ChoicePieces::slabs;
 
-    /// `function` is what tools.forms evaluates; it must outlive the search.
-    SlabSearch(const PreparedFunction& function, const SearchTools& tools);
+    /// `function` is what tools.forms evaluates and `parts` are of; both must outlive the search.
+    SlabSearch(const PreparedFunction& function, const SearchTools& tools, PartTapes& parts);
+    // The search refers to its tapes.
+    SlabSearch(const SlabSearch&) = delete;
+    SlabSearch& operator=(const SlabSearch&) = delete;
 
     /// Whether the tape can become short at all.
     bool worthwhile() const { return shortTapes_.possible(); }
@@ -41,6 +46,9 @@ class SlabSearch {
     /// Encloses up to batchLines lines from `first` on, those that are wanted. Returns whether most choices
     /// are decided; if not, the lines are better searched with the whole tape.
     bool begin(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, std::size_t first);
+
+    /// Holds all along the lines of begin(); null for the whole tape.
+    const SimplifiedTape* tape() const { return holds_ ? &batchTape_ : nullptr; }
 
     /// starts[i] becomes what is certain about the beginning of line i, for the lines of begin() that are
     /// enclosed.
@@ -76,14 +84,18 @@ class SlabSearch {
     /// point in opposite directions) are not enclosed: they are searched with the whole tape.
     struct Tile {
         std::size_t first = 0, end = 0;
+        bool wanted = false;  ///< some of them are
         bool enclosed = false;
         DepthRange depth;
+        LineBundle bundle;
     };
 
     bool enclose(std::span<const LineQuery> queries, std::span<const std::uint8_t> wanted, std::size_t first,
                  std::size_t count, std::size_t tile);
     bool becomesShort();
     void takeCommon();
+    bool addMetParts();
+    std::uint64_t enclosedLanes() const;
     double end(std::size_t tile, std::size_t slab) const {
         return tiles_[tile].depth.border(slab + 1, slabs);
     }
@@ -111,10 +123,14 @@ class SlabSearch {
 
     ShortTapes shortTapes_;
     ChoicePieces pieces_;
+    PartTapes& parts_;
     GeneralSearchLanes lanes_;
     std::array<Tile, tilesAtOnce> tiles_;
     SimplifiedTape simplifiedTape_;
-    SimplifiedTape commonTape_;  ///< what is left for all wanted lines of pays()
+    SimplifiedTape commonTape_;               ///< what is left for all wanted lines of pays()
+    const SimplifiedTape* common_ = nullptr;  ///< that one, or null for the whole tape
+    SimplifiedTape batchTape_;                ///< what is left for all lines of begin(),
+    bool holds_ = false;                      ///< if there is such a tape
 };
 
 }  // namespace isoscope

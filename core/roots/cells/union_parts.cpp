@@ -32,13 +32,15 @@ class UnionWalk {
     UnionWalk(const PreparedFunction& function, bool positivePolarity)
         : tape_(*function.tape()), links_(function.links()), uniforms_(function.uniforms()) {
         decided.reset(links_);
-        descend({links_.whole().resultValue, positivePolarity});
+        descend({links_.whole().resultValue, positivePolarity}, 0);
     }
 
     bool atEnd() const { return atEnd_; }
-    /// To the next part.
-    void advance() {
+    /// To the next part; `kept` of those before count for the forks.
+    void advance(std::size_t kept) {
+        const auto part = static_cast<std::uint32_t>(kept);
         while (!path_.empty() && path_.back().bySecond) {
+            forks[path_.back().fork].end = part;
             decided.second[path_.back().place / wordBits] &= ~bitOf(path_.back().place);
             path_.pop_back();
         }
@@ -46,13 +48,16 @@ class UnionWalk {
         if (atEnd_) return;
         Turn& turn = path_.back();
         turn.bySecond = true;
+        forks[turn.fork].middle = part;
         decided.first[turn.place / wordBits] &= ~bitOf(turn.place);
         decided.second[turn.place / wordBits] |= bitOf(turn.place);
-        descend(turn.other);
+        descend(turn.other, part);
     }
 
     /// The choices that lead to the part at hand.
     DecidedChoices decided;
+    /// Final at the end.
+    std::vector<UnionParts::Fork> forks;
 
   private:
     static constexpr std::size_t wordBits = 64;
@@ -64,13 +69,14 @@ class UnionWalk {
     /// A choice on the way down.
     struct Turn {
         std::uint32_t place = 0;
-        Operand other;  ///< its second operand
+        Operand other;         ///< its second operand
+        std::size_t fork = 0;  ///< its number
         bool bySecond = false;
     };
 
     static std::uint64_t bitOf(std::uint32_t place) { return std::uint64_t(1) << place % wordBits; }
 
-    void descend(Operand at) {
+    void descend(Operand at, std::uint32_t part) {
         for (;;) {
             if (SimplifiedTape::isFixed(at.value)) return;
             const SimplifiedTape& whole = links_.whole();
@@ -81,7 +87,8 @@ class UnionWalk {
             if (operation == unites && whole.levelNumbers[link.choice] != 0) {
                 const std::uint32_t place = links_.chains().places[link.choice];
                 decided.first[place / wordBits] |= bitOf(place);
-                path_.push_back({place, {link.operands[1], at.turned}});
+                path_.push_back({place, {link.operands[1], at.turned}, forks.size()});
+                forks.push_back({place, part, part, part});
                 at.value = link.operands[0];
             } else if (const std::optional<Operand> behind = behindMonotone(at)) {
                 at = *behind;
@@ -243,7 +250,8 @@ UnionParts::UnionParts(const PreparedFunction& function, const RootSettings& set
     const Interval inside = settings.positivePolarity ? Interval{settings.threshold, infinity}
                                                       : Interval{-infinity, settings.threshold};
     SimplifiedTape made;
-    for (UnionWalk walk(function, settings.positivePolarity); !walk.atEnd(); walk.advance()) {
+    UnionWalk walk(function, settings.positivePolarity);
+    for (; !walk.atEnd(); walk.advance(parts_.size())) {
         boxes.simplify(walk.decided, made);
         boxes.setBase(made);
         BackwardBounds::Box guess = backward.where(made, inside, region_);
@@ -269,6 +277,8 @@ UnionParts::UnionParts(const PreparedFunction& function, const RootSettings& set
         parts_.clear();
         return;
     }
+    forks_ = std::move(walk.forks);
+    decisionWords_ = walk.decided.first.size();
     nodes_.resize(2 * std::bit_ceil(parts_.size()));
     order_.resize(parts_.size());
     std::iota(order_.begin(), order_.end(), 0U);
@@ -320,21 +330,53 @@ bool UnionParts::cover(const LineBundle& bundle) const {
     return true;
 }
 
+/// take(part, what meets(box) has told) for each part whose box, and those around it, are met.
+template <class Meets, class Take>
+void UnionParts::descend(std::size_t node, std::size_t first, std::size_t count, Meets meets,
+                         Take take) const {
+    const auto meeting = meets(nodes_[node]);
+    if (!meeting) return;
+    if (count == 1) return take(order_[first], *meeting);
+    descend(2 * node + 1, first, count / 2, meets, take);
+    descend(2 * node + 2, first + count / 2, count - count / 2, meets, take);
+}
+
 void UnionParts::meet(const LineBundle& bundle, std::vector<Meeting>& meetings) const {
     meetings.clear();
-    descend(0, 0, parts_.size(), bundle, meetings);
+    const auto near = [&](const LineRegion& box) -> std::optional<double> {
+        const double t = enter(bundle, box);
+        return t <= bundle.far ? std::optional(t) : std::nullopt;
+    };
+    descend(0, 0, parts_.size(), near, [&](std::uint32_t part, double t) { meetings.push_back({t, part}); });
     std::ranges::sort(meetings, [](const Meeting& a, const Meeting& b) {
         return a.near < b.near || (a.near == b.near && a.part < b.part);
     });
 }
 
-void UnionParts::descend(std::size_t node, std::size_t first, std::size_t count, const LineBundle& bundle,
-                         std::vector<Meeting>& meetings) const {
-    const double near = enter(bundle, nodes_[node]);
-    if (!(near <= bundle.far)) return;
-    if (count == 1) return meetings.push_back({near, order_[first]});
-    descend(2 * node + 1, first, count / 2, bundle, meetings);
-    descend(2 * node + 2, first + count / 2, count - count / 2, bundle, meetings);
+void UnionParts::meet(const glm::dvec3& point, std::vector<std::uint32_t>& met) const {
+    const auto holds = [&](const LineRegion& box) -> std::optional<bool> {
+        const bool inside =
+            glm::all(glm::lessThanEqual(box.low, point)) && glm::all(glm::lessThanEqual(point, box.high));
+        return inside ? std::optional(true) : std::nullopt;
+    };
+    descend(0, 0, parts_.size(), holds, [&](std::uint32_t part, bool) { met.push_back(part); });
+}
+
+void UnionParts::decide(std::span<const std::uint32_t> met, DecidedChoices& decided) const {
+    // How many are met of the parts before each.
+    std::vector<std::uint32_t> before(parts_.size() + 1);
+    for (const std::uint32_t part : met) before[part + 1] = 1;
+    std::partial_sum(before.begin(), before.end(), before.begin());
+    decided.first.assign(decisionWords_, 0);
+    decided.second.assign(decisionWords_, 0);
+    constexpr std::uint32_t wordBits = 64;
+    for (const Fork& fork : forks_) {
+        const bool byFirst = before[fork.first] < before[fork.middle],
+                   bySecond = before[fork.middle] < before[fork.end];
+        if (byFirst == bySecond) continue;
+        std::vector<std::uint64_t>& side = byFirst ? decided.first : decided.second;
+        side[fork.place / wordBits] |= std::uint64_t(1) << fork.place % wordBits;
+    }
 }
 
 }  // namespace isoscope

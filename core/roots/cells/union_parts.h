@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/evaluate/tape/simplified_tape.h"
+#include "core/evaluate/tape/tape_simplifier.h"
 #include "core/roots/certified/line_bundle.h"
 #include "core/roots/root_settings.h"
 
@@ -44,19 +46,53 @@ class UnionParts {
     /// The parts that a covered bundle may meet, near ones first.
     void meet(const LineBundle& bundle, std::vector<Meeting>& meetings) const;
 
+    /// Appends the parts in whose boxes a point is.
+    void meet(const glm::dvec3& point, std::vector<std::uint32_t>& met) const;
+
+    /// decided = the choices that leave the union of these parts, at least one: what the sign of the function
+    /// depends on where no other part is met.
+    void decide(std::span<const std::uint32_t> met, DecidedChoices& decided) const;
+
+    /// A choice between the parts [first, middle) and [middle, end).
+    struct Fork {
+        std::uint32_t place = 0;  ///< of TapeLinks::Chains
+        std::uint32_t first = 0, middle = 0, end = 0;
+    };
+
   private:
     bool areSmall(const LineRegion& region, std::size_t wholeLength) const;
     void build(std::size_t node, std::size_t first, std::size_t count);
-    void descend(std::size_t node, std::size_t first, std::size_t count, const LineBundle& bundle,
-                 std::vector<Meeting>& meetings) const;
+    template <class Meets, class Take>
+    void descend(std::size_t node, std::size_t first, std::size_t count, Meets meets, Take take) const;
 
     LineRegion region_;  ///< that was looked at
     double margin_ = 0;  ///< by which boxes are wider than what is in them
     std::vector<Part> parts_;
+    std::vector<Fork> forks_;
+    std::size_t decisionWords_ = 0;  ///< of DecidedChoices
     // The tree: of `count` parts from order_[first] on, node k has the box nodes_[k], and its halves are the
     // nodes 2 k + 1 and 2 k + 2.
     std::vector<std::uint32_t> order_;
     std::vector<LineRegion> nodes_;
+};
+
+/// The parts of a function, found when they are first asked for.
+class LazyUnionParts {
+  public:
+    /// Both must outlive it.
+    LazyUnionParts(const PreparedFunction& function, const RootSettings& settings)
+        : function_(function), settings_(settings) {}
+
+    /// The parts, which stay as they are.
+    const UnionParts& get() {
+        if (!parts_) parts_.emplace(function_, settings_);
+        return *parts_;
+    }
+
+  private:
+    const PreparedFunction& function_;
+    const RootSettings& settings_;
+    std::optional<UnionParts> parts_;
 };
 
 }  // namespace isoscope

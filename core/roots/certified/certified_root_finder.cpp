@@ -31,10 +31,12 @@ CertifiedRootFinder::CertifiedRootFinder(std::shared_ptr<const PreparedFunction>
       bundles_(function_->cost()),
       polish_(points_, settings_),
       lanes_({settings_, forms_, points_, budget}),
-      slabs_(*function_, {settings_, forms_, points_, budget}),
+      parts_(*function_, settings_),
+      partTapes_(*function_, parts_),
+      slabs_(*function_, {settings_, forms_, points_, budget}, partTapes_),
       march_(forms_, settings_),
       newton_(gradients_, settings_),
-      cells_(*function_, {settings_, forms_, march_, newton_, polish_, gradients_}),
+      cells_(*function_, {settings_, forms_, march_, newton_, polish_, gradients_, parts_}),
       sheets_(function_, points_, gradients_, settings_) {
     const Tape& tape = *function_->tape();
     if (!function_->cost().holdsNoise || !TaylorEvaluator::covers(tape)) return;
@@ -114,14 +116,18 @@ void CertifiedRootFinder::searchSlabs(std::span<const LineQuery> queries, const 
             searchWhole(queries, first, end, request, roots);
             continue;
         }
+        const std::size_t before = pending_.size();
         slabs_.noteStarts(starts_);
-        addEntryWalls(queries, first, end, request, roots);
+        addEntryWalls(queries, first, end, request, roots, slabs_.tape());
         slabs_.run(
             queries, wanted_, request.sufficient, allowanceOf(queries, first, end, request), request.stop,
             [&](std::size_t line, const GeneralSearch& search, double endSign) {
                 retire(line, search, endSign, roots);
             },
             [&](std::size_t line, double sign) { miss(line, sign); });
+        if (slabs_.tape() == nullptr) continue;
+        polish_.run(std::span(pending_).subspan(before), queries, roots, slabs_.tape());
+        pending_.resize(before);
     }
 }
 
@@ -239,10 +245,11 @@ void CertifiedRootFinder::noteEnd(std::size_t line, double sign) {
     if (sign != 0) ends_[line] = sign < 0 ? EndSign::inside : EndSign::outside;
 }
 
-/// Lines that come from outside into the solid meet its wall at once.
+/// Lines that come from outside into the solid meet its wall at once. By a tape that holds along the lines,
+/// or by the whole one.
 void CertifiedRootFinder::addEntryWalls(std::span<const LineQuery> queries, std::size_t first,
                                         std::size_t end, const RootRequest& request,
-                                        std::span<RootList> roots) {
+                                        std::span<RootList> roots, const SimplifiedTape* tape) {
     if (settings_.open) return;
     asked_.clear();
     const auto enter = [&](std::size_t i) {
@@ -258,7 +265,7 @@ void CertifiedRootFinder::addEntryWalls(std::span<const LineQuery> queries, std:
         else if (sign == 0)
             asked_.push_back(i);
     }
-    LinePoints(points_, settings_)
+    LinePoints(points_, settings_, tape)
         .evaluate(
             asked_.size(), [&](std::size_t k) -> const LineQuery& { return queries[asked_[k]]; },
             [&](std::size_t k) { return queries[asked_[k]].near; },
@@ -446,24 +453,37 @@ void CertifiedRootFinder::takeRest(double sufficient, FirstRoots& roots) {
 void CertifiedRootFinder::normals(std::span<const glm::dvec3> points, std::span<glm::dvec3> out) {
     if (!forms_.certain()) return povray().normals(points, out);
     const double outward = settings_.positivePolarity ? -1 : 1;
-    std::array<double, batchLanes> x, y, z;
-    std::array<ValueAndGradient, batchLanes> gradients;
     for (std::size_t first = 0; first < points.size(); first += batchLanes) {
         const std::size_t count = std::min(batchLanes, points.size() - first);
-        for (std::size_t k = 0; k < count; ++k) {
-            const glm::dvec3& p = points[first + k];
-            x[k] = p.x, y[k] = p.y, z[k] = p.z;
-        }
-        const auto of = [count](auto& lanes) { return std::span(lanes).first(count); };
-        gradients_.evaluate(of(x), of(y), of(z), of(gradients));
+        setGradients(points.subspan(first, count));
         flat_.clear();
         for (std::size_t k = 0; k < count; ++k) {
-            const auto& [dx, dy, dz] = gradients[k].gradient;
+            const auto& [dx, dy, dz] = found_[k].gradient;
             out[first + k] = outward * glm::dvec3(dx, dy, dz);
             if (dx == 0 && dy == 0 && dz == 0) flat_.push_back(first + k);
         }
         setDifferences(points, flat_, outward, out);
     }
+}
+
+/// found_[k] = what the function is at points[k], up to batchLanes of them. Of a union, at points on its
+/// surface, by the parts that are met there.
+void CertifiedRootFinder::setGradients(std::span<const glm::dvec3> points) {
+    std::array<double, batchLanes> x, y, z;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        x[k] = points[k].x, y[k] = points[k].y, z[k] = points[k].z;
+    const auto of = [&points](auto& lanes) { return std::span(lanes).first(points.size()); };
+    if (slabs_.worthwhile() && partTapes_.begin() &&
+        std::ranges::all_of(points, [&](const glm::dvec3& point) { return partTapes_.add(point); })) {
+        gradients_.evaluate(of(x), of(y), of(z), of(found_), partTapes_.make());
+        // Further outside, as in front of a jump, other parts may be less.
+        const auto isOnSurface = [&](const ValueAndGradient& at) {
+            constexpr double small = 1e-3;
+            return settings_.signedValue(at.value) <= small * settings_.accuracy * slopeOf(at);
+        };
+        if (std::ranges::all_of(of(found_), isOnSurface)) return;
+    }
+    gradients_.evaluate(of(x), of(y), of(z), of(found_));
 }
 
 /// Central differences over the accuracy at the points of `which`.

@@ -105,7 +105,8 @@ class CertifiedRootFinder : public LineRootFinder {
     void setJumpNormals(const LineColumns& lines, FirstRoots& roots);
 
     void addEntryWalls(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
-                       const RootRequest& request, std::span<RootList> roots);
+                       const RootRequest& request, std::span<RootList> roots,
+                       const SimplifiedTape* tape = nullptr);
     void addExitWalls(std::span<const LineQuery> queries, const RootRequest& request,
                       std::span<RootList> roots);
     void findUncertain(std::span<const LineQuery> queries, const RootRequest& request,
@@ -128,6 +129,7 @@ class CertifiedRootFinder : public LineRootFinder {
     void retire(std::size_t line, const GeneralSearch& search, double endSign, std::span<RootList> roots);
     void miss(std::size_t line, double sign);
     void noteEnd(std::size_t line, double sign);
+    void setGradients(std::span<const glm::dvec3> points);
     void setDifferences(std::span<const glm::dvec3> points, std::span<const std::size_t> which,
                         double outward, std::span<glm::dvec3> out);
 
@@ -151,9 +153,12 @@ class CertifiedRootFinder : public LineRootFinder {
     bool isPicture_ = false;             ///< the list at hand
     std::vector<std::size_t> unproven_;  ///< lines that are left to POV-Ray's method
     std::uint64_t povrayValues_ = 0;
-    std::unique_ptr<LipschitzRootFinder> povray_;  ///< made when it is needed
-    std::vector<std::size_t> flat_;                ///< points without a gradient
+    std::unique_ptr<LipschitzRootFinder> povray_;     ///< made when it is needed
+    std::array<ValueAndGradient, batchLanes> found_;  ///< at the points of a batch
+    std::vector<std::size_t> flat_;                   ///< points without a gradient
     GeneralSearchLanes lanes_;
+    LazyUnionParts parts_;
+    PartTapes partTapes_;
     SlabSearch slabs_;
 
     MarchKernel march_;
