@@ -118,14 +118,16 @@ def ask(root):
         print(f"{row}: {value.get_name()}")
 
     # A change of a number is announced: the picture begins anew, and so does the measurement.
-    changes.clear()
     radius = next(slider for slider in sliders if "Radius" in slider.get_name())
     interface = radius.get_value_iface()
-    before = interface.get_current_value()
-    interface.set_current_value(before + 20)
-    wait_for("the slider moves", lambda: interface.get_current_value() != before)
-    wait_for("the finished picture is announced",
-             lambda: any(what == "State of the picture" and text.startswith("Finished") for what, text in changes))
+    # Some of the pictures take as long as the one before, to the digits that are read.
+    for _ in range(10):
+        changes.clear()
+        before = interface.get_current_value()
+        interface.set_current_value(before + 2)
+        wait_for("the slider moves", lambda: interface.get_current_value() != before)
+        wait_for("the finished picture is announced",
+                 lambda: any(what == "State of the picture" and text.startswith("Finished") for what, text in changes))
     wait_for("the new values of Gradient are announced", lambda: any(what == "Along rays" for what, _ in changes))
     print(f"{len(sliders)} sliders, {len(changes)} changes announced")
     return 0

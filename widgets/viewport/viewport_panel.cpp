@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/viewport/viewport_panel.h"
 
+#include <QAccessible>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolBar>
@@ -83,7 +84,14 @@ void ViewportPanel::showProgress(const RenderProgress& progress) {
             tr("Stopped after pass %1 of %2, %3 s").arg(progress.pass).arg(progress.passCount).arg(seconds));
     } else {
         const QSize size = viewport_->picture().size();
-        status_->setText(tr("Finished in %1 s, %2 × %3").arg(seconds).arg(size.width()).arg(size.height()));
+        const QString finished =
+            tr("Finished in %1 s, %2 × %3").arg(seconds).arg(size.width()).arg(size.height());
+        // Of another picture in the same time a screen reader would not be told.
+        if (finished == status_->text()) {
+            QAccessibleEvent event(status_, QAccessible::NameChanged);
+            QAccessible::updateAccessibility(&event);
+        }
+        status_->setText(finished);
     }
     const QString cost =
         tr("%1 rays, %2 evaluations")
