@@ -87,11 +87,12 @@ void ViewportPanel::showProgress(const RenderProgress& progress) {
         const QString finished =
             tr("Finished in %1 s, %2 × %3").arg(seconds).arg(size.width()).arg(size.height());
         // Of another picture in the same time a screen reader would not be told.
-        if (finished == status_->text()) {
+        if (finished == status_->text() && progress.job != finishedJob_) {
             QAccessibleEvent event(status_, QAccessible::NameChanged);
             QAccessible::updateAccessibility(&event);
         }
         status_->setText(finished);
+        finishedJob_ = progress.job;
     }
     const QString cost =
         tr("%1 rays, %2 evaluations")

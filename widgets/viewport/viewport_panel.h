@@ -35,6 +35,7 @@ class ViewportPanel : public QWidget {
     OverlayBar* overlayBar_;
     QLabel* status_;
     QLabel* cost_;
+    std::uint64_t finishedJob_ = 0;  ///< the last one
 };
 
 /// "1.23 M": a count in at most four digits.
