@@ -123,6 +123,37 @@ class IntervalGradientEvaluatorTest : public QObject {
         QVERIFY2(checked > 3000, qPrintable(QString::number(checked)));
     }
 
+    /// ceil(-0.1 - ceil z) is 0 on one side of a step and -1 on the other: not the same everywhere, whatever
+    /// becomes of it.
+    void aStepOfConstantsStaysAStep() {
+        const Box box{unit, unit, Interval{-0.3, 0.4, false}};
+        const auto make = [](auto, auto, auto z) {
+            return apply(Operation::tangent, apply(Operation::ceiling, -apply(Operation::ceiling, z) - 0.1));
+        };
+        const IntervalGradient found = over(make, box);
+        QVERIFY(found.hazard == GradientHazard::jump);
+        QVERIFY(found.value.low <= std::tan(-1.0) && found.value.high >= 0);
+    }
+
+    /// A sum of a value with one step in the box and another without a bound on its slope has the values on
+    /// both sides of the step.
+    void aStepIsNotLostBesideWhatHasNoBounds() {
+        const auto make = [](auto, auto, auto z) {
+            const Expression part = apply(Operation::fraction, z);
+            return apply(Operation::arcCosine, abs(part)) - part;
+        };
+        const auto tape = Tape::compile(functionOf(make));
+        GradientEvaluator points(tape, {});
+        for (const double low : {2.05, 2.41, 2.95}) {
+            const Box box{unit, unit, Interval{low, low + 0.7, false}};
+            const IntervalGradient whole = over(make, box);
+            for (int k = 0; k <= 100; ++k) {
+                const double value = points.evaluate(0, 0, low + 0.007 * k).value;
+                QVERIFY(whole.value.low <= value && value <= whole.value.high);
+            }
+        }
+    }
+
     /// One corner of a triangle wave is a choice between its two sides, also a period away across a cut.
     void aCornerOfATriangleWaveIsAChoice() {
         const auto wave = [](auto x, auto, auto) { return apply(Operation::triangleWave, x); };

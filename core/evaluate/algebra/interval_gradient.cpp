@@ -144,7 +144,7 @@ void settle(IntervalGradient& a) {
     else if (finite)
         a.steepness = std::min(a.steepness, lengthAbove(a.slope));
     if (!finite || !(a.steepness < unlimited)) {
-        a = hazardous(a.value, a.axes, worse(a.hazard, GradientHazard::overflow));
+        a = hazardous(resolveWrap(a).value, a.axes, worse(a.hazard, GradientHazard::overflow));
         return;
     }
     for (SlopeRange& range : a.slope) range = meet(range, SlopeRange::within(a.steepness));
@@ -285,7 +285,7 @@ static IntervalGradient scaledTo(const Interval& value, const IntervalGradient& 
 
 IntervalGradient scaled(const IntervalGradient& a, double factor) {
     if (!std::isfinite(factor))
-        return hazardous(a.value * Interval::point(factor), a.axes, GradientHazard::overflow);
+        return hazardous(resolveWrap(a).value * Interval::point(factor), a.axes, GradientHazard::overflow);
     // A change of sign is exact.
     const Interval value = factor == 1    ? a.value
                            : factor == -1 ? -a.value
@@ -391,9 +391,12 @@ IntervalGradient sum(const IntervalGradient& a, const IntervalGradient& b) {
     if (a.isSumOfPowers() && b.isSumOfPowers() && !sameExponent(a.rootExponent, b.rootExponent))
         return a.rootExponent > b.rootExponent ? sum(withRootExponent(a, b.rootExponent), b)
                                                : sum(a, withRootExponent(b, a.rootExponent));
+    const GradientHazard both = worse(a.hazard, b.hazard);
+    // Of what has no bounds a pending wrap is not kept.
+    if (both > GradientHazard::jump && (a.wrap != 0 || b.wrap != 0))
+        return sum(resolveWrap(a), resolveWrap(b));
     const Interval value = a.value + b.value;
     if (value.empty()) return undefinedEverywhere();
-    const GradientHazard both = worse(a.hazard, b.hazard);
     if (both > GradientHazard::jump) return hazardous(value, a.axes | b.axes, both);
     return summed(value, a, b);
 }

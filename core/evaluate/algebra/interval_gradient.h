@@ -142,6 +142,8 @@ IntervalGradient acrossCut(const IntervalGradient& u, bool isEven, Function func
     before.wrap = 0;
     const IntervalGradient a = resolveWrap(function(before)), b = resolveWrap(function(afterWrap(u)));
     IntervalGradient result = either(a, b, hull(a.value, b.value));
+    // Also where each side is the same everywhere.
+    result.axes |= u.axes;
     if (!isEven || !cutsAroundZero(u)) result.hazard = worse(result.hazard, GradientHazard::jump);
     // The choice is none of those that pieces are told by.
     result.smooth = false;
