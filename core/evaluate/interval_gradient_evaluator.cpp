@@ -220,6 +220,13 @@ IntervalGradientEvaluator::IntervalGradientEvaluator(std::shared_ptr<const Tape>
 
 const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Interval, 3> box,
                                                             std::size_t result) {
+    begin(box);
+    const bool ended = run(LoopRange::topAllowance);
+    return finish(slots_[tape_->results()[result]], ended);
+}
+
+/// The arguments take their values.
+void IntervalGradientEvaluator::begin(std::span<const Interval, 3> box) {
     ++evaluations_;
     const auto argumentCount = static_cast<std::size_t>(tape_->argumentCount());
     const bool isOfRoots = firstRoot_ && *firstRoot_ < roots_.size();
@@ -230,8 +237,10 @@ const IntervalGradient& IntervalGradientEvaluator::evaluate(std::span<const Inte
     blurred_ = false;
     // What is not smooth has no second derivatives, nor has what is made of it.
     for (std::size_t k = 0; k < std::min<std::size_t>(argumentCount, 3); ++k) slots_[k].smooth = bends_;
-    const bool ended = run(LoopRange::topAllowance);
-    IntervalGradient& answer = slots_[tape_->results()[result]];
+}
+
+/// What is known of a result, of which all was computed, or not.
+const IntervalGradient& IntervalGradientEvaluator::finish(IntervalGradient& answer, bool ended) const {
     if (!ended) answer = hazardous(Interval::unknown(), 7, GradientHazard::unknown);
     if (answer.wrap != 0) answer = resolveWrap(answer);
     // Choices within loops are not told apart.
@@ -444,7 +453,6 @@ static IntervalGradient coordinateOf(const IntervalGradientEvaluator::Fold& fold
 
 /// Whether it came to the end before a stop did.
 bool IntervalGradientEvaluator::run(double loopAllowance) {
-    constexpr unsigned pace = 64;
     const auto& instructions = tape_->instructions();
     if (finely_) {
         const auto count = std::min<std::size_t>(static_cast<std::size_t>(tape_->argumentCount()), 3);
@@ -453,7 +461,7 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
         parts_->begin(std::span(coordinates).first(count));
     }
     for (std::size_t i = 0; i < instructions.size(); ++i) {
-        if (++steps_ % pace == 0 && LoopStop::requested()) return false;
+        if (stopsNow()) return false;
         IntervalGradient& target =
             slots_.make(instructions[i].target, [&] { return resultOf(instructions[i], i, loopAllowance); });
         target.root.known = target.root.known && wantedRoots_[i];
@@ -467,13 +475,19 @@ bool IntervalGradientEvaluator::run(double loopAllowance) {
     return true;
 }
 
+/// Looks for a stop before some of the instructions.
+bool IntervalGradientEvaluator::stopsNow() {
+    constexpr unsigned pace = 64;
+    return ++steps_ % pace == 0 && LoopStop::requested();
+}
+
 /// What an instruction makes of its operands, or what stands for that.
 IntervalGradient IntervalGradientEvaluator::resultOf(const Instruction& instruction, std::size_t index,
                                                      double loopAllowance) {
     if (firstRoot_ && rootAt_[index] < roots_.size()) return rootInstead(rootAt_[index]);
     if (folds_ && index == fold_) return coordinateOf(lastFold_);
-    if (!takesJumps_) return execute(instruction, index, loopAllowance);
-    return besideJump(instruction, index, execute(instruction, index, loopAllowance));
+    const auto found = [&] { return execute(instruction, index, loopAllowance); };
+    return takesJumps_ ? besideJump(instruction, index, found()) : found();
 }
 
 IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instruction, std::size_t index,
@@ -481,33 +495,39 @@ IntervalGradient IntervalGradientEvaluator::execute(const Instruction& instructi
     if (isLoop(instruction.operation)) return runLoop(instruction, loopAllowance);
     std::array<const IntervalGradient*, 4> operands{};
     for (std::size_t k = 0; k < instruction.operandCount; ++k) operands[k] = &slots_[instruction.operands[k]];
+    const IntervalGradient* const base = powers_[index].exponent > 0 ? &baseOf(powers_[index]) : nullptr;
+    return apply(instruction, index, std::span(operands).first(instruction.operandCount), base);
+}
+
+/// Anything but a loop; `base` is that of a whole power.
+IntervalGradient IntervalGradientEvaluator::apply(const Instruction& instruction, std::size_t index,
+                                                  Operands operands, const IntervalGradient* base) {
     const CrackleSettings* crackle =
         instruction.operation == Operation::crackle ? &tape_->crackle(instruction.index) : nullptr;
-    const Operands all = std::span(operands).first(instruction.operandCount);
     if (instruction.operation == Operation::triangleWave) return executeTriangle(*operands[0], index);
     // Of products alone it is not known that they have a root.
     if (const WholePower& power = powers_[index]; power.exponent > 0) {
         const IntervalGradient exponent = constant(Interval::point(power.exponent));
-        return evaluateOperation(Operation::power, std::array{&baseOf(power), &exponent}, crackle);
+        return evaluateOperation(Operation::power, std::array{base, &exponent}, crackle);
     }
     if (takesSides_ && open_[index]) {
         const bool second = nextSide(index);
-        if (!isLed(index)) margins_.push_back(marginOf(instruction.operation, all, second));
-        return sideOf(instruction.operation, all, second);
+        if (!isLed(index)) margins_.push_back(marginOf(instruction.operation, operands, second));
+        return sideOf(instruction.operation, operands, second);
     }
-    const bool isJoined = isOpenSelect(instruction.operation, all) && joins(index);
+    const bool isJoined = isOpenSelect(instruction.operation, operands) && joins(index);
     if (!keepsOpen_ && !takesSides_) {
-        open_[index] = isJoined || isOpenChoice(instruction.operation, all);
-        chosen_[index] = chosenSide(instruction.operation, all);
+        open_[index] = isJoined || isOpenChoice(instruction.operation, operands);
+        chosen_[index] = chosenSide(instruction.operation, operands);
     } else if (chosen_[index] != ChosenSide::open) {
         // Not decided anew: a piece that is not the function at a point may have any value there, and what an
         // open choice leaves of both sides has the value of one of them.
-        return sideOf(instruction.operation, all, chosen_[index] == ChosenSide::second);
+        return sideOf(instruction.operation, operands, chosen_[index] == ChosenSide::second);
     }
-    if (isJoined || (keepsOpen_ && open_[index])) return openChoice(instruction.operation, all);
+    if (isJoined || (keepsOpen_ && open_[index])) return openChoice(instruction.operation, operands);
     if (!std::isnan(cuts_[index]) && operands[0]->wrap == 0)
-        return withCut(evaluateOperation(instruction.operation, all), cuts_[index]);
-    return evaluateOperation(instruction.operation, all, crackle);
+        return withCut(evaluateOperation(instruction.operation, operands), cuts_[index]);
+    return evaluateOperation(instruction.operation, operands, crackle);
 }
 
 const IntervalGradient& IntervalGradientEvaluator::baseOf(const WholePower& power) const {

@@ -48,6 +48,31 @@ class IntervalGradientEvaluator {
     /// valid until the next call.
     const IntervalGradient& evaluate(std::span<const Interval, 3> box, std::size_t result = 0);
 
+    /// What result 0 depends on in a box and all boxes in it, without choices that are decided there: what
+    /// Duff, "Interval arithmetic and recursive subdivision for implicit functions and constructive solid
+    /// geometry" (1992), leaves of a tape.
+    struct Excerpt {
+        /// Where a value comes from: an entry, or `fixed` and the slot of an argument or constant.
+        static constexpr std::uint32_t fixed = 1u << 31;
+        /// An instruction with what it works on; of a whole power its base alone.
+        struct Entry {
+            std::uint32_t instruction = 0;
+            std::array<std::uint32_t, 4> operands{};
+            std::uint8_t operandCount = 0;
+            /// Not open where a magnitude is minus its operand.
+            gradient_rules::ChosenSide side = gradient_rules::ChosenSide::open;
+        };
+        std::vector<Entry> entries;  ///< in their order
+        std::uint32_t result = fixed;
+    };
+    /// That of the box of the last evaluate(), which was by the excerpt `within`; that one where it is hardly
+    /// shorter. Null for all of the function, of those with loops always.
+    std::shared_ptr<const Excerpt> excerpt(const std::shared_ptr<const Excerpt>& within) const;
+    /// Result 0 over a box within that of the excerpt, which is one of this evaluator, or null. What is asked
+    /// of the last evaluate(), openChoices() and so on, is not to be asked of this one, but for excerpt().
+    const IntervalGradient& evaluate(std::span<const Interval, 3> box,
+                                     const std::shared_ptr<const Excerpt>& excerpt);
+
     /// Result 0 as evaluate() has it, narrowed by UnivariateParts, for more work.
     const IntervalGradient& evaluateFinely(std::span<const Interval, 3> box);
     /// Whether that is another answer.
@@ -142,10 +167,17 @@ class IntervalGradientEvaluator {
     };
 
     bool run(double loopAllowance);
+    void begin(std::span<const Interval, 3> box);
+    const IntervalGradient& finish(IntervalGradient& answer, bool ended) const;
+    bool stopsNow();
+    Excerpt everything() const;
+    Excerpt shorten(const Excerpt& within) const;
     IntervalGradient resultOf(const Instruction& instruction, std::size_t index, double loopAllowance);
     IntervalGradient rootInstead(std::size_t root) const;
     void noteRoot(std::size_t root, const IntervalGradient& found);
     IntervalGradient execute(const Instruction& instruction, std::size_t index, double loopAllowance);
+    IntervalGradient apply(const Instruction& instruction, std::size_t index,
+                           std::span<const IntervalGradient* const> operands, const IntervalGradient* base);
     bool isLed(std::size_t index) const;
     bool nextSide(std::size_t index);
     IntervalGradient sideOf(Operation operation, std::span<const IntervalGradient* const> operands,
@@ -169,6 +201,7 @@ class IntervalGradientEvaluator {
     std::vector<bool> wantedRoots_;    ///< by instruction: whether IntervalGradient::root is of use
     std::vector<gradient_rules::ChosenSide> chosen_;  ///< by instruction: what the last box decided
     std::vector<double> corners_;                     ///< of those among them that are triangle waves
+    std::vector<IntervalGradient> short_;             ///< of the entries of an excerpt
     std::vector<double> cuts_;                        ///< by instruction: roundingCuts()
     std::vector<WholePower> powers_;                  ///< by instruction: those whose roots are of use
     std::vector<bool> isBase_;                        ///< by instruction: whether it is the base of one

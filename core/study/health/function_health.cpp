@@ -7,6 +7,7 @@
 #include <deque>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <memory>
 
 #include "core/evaluate/interval_evaluator.h"
 #include "core/evaluate/interval_gradient_evaluator.h"
@@ -46,6 +47,12 @@ std::array<bool, ailmentCount> suspicions(const IntervalGradient& all) {
     return may;
 }
 
+/// A box that is looked into.
+struct Room {
+    GradientBox box;
+    std::shared_ptr<const IntervalGradientEvaluator::Excerpt> excerpt;  ///< what matters there; null for all
+};
+
 class Search {
   public:
     Search(const Isosurface& surface, std::span<const double> parameters, const HealthSettings& settings,
@@ -76,14 +83,14 @@ class Search {
     /// Whether no box is left over.
     bool divide(const std::function<void(double)>& progress, const std::stop_token& stop,
                 const std::stop_token& enough) {
-        std::deque<GradientBox> queue{domain_.box()};
+        std::deque<Room> queue{{domain_.box(), {}}};
         const double finest = settings_.fineness * domain_.box().width() * (1 + 1e-9);
         while (!queue.empty() && !stop.stop_requested() && !enough.stop_requested()) {
-            const GradientBox box = queue.front();
+            const auto [box, within] = queue.front();
             queue.pop_front();
             if (domain_.misses(box)) continue;
             const bool spent = intervals_.evaluations() >= settings_.boxLimit;
-            const auto may = suspicions(intervals_.evaluate(box.intervals()));
+            const auto may = suspicions(intervals_.evaluate(box.intervals(), within));
             if (std::ranges::none_of(may, [](bool one) { return one; })) continue;
             const glm::dvec3 middle = box.center();
             if (box.width() <= finest || spent) {
@@ -97,8 +104,9 @@ class Search {
                 if (box.high[k] - box.low[k] > box.high[axis] - box.low[axis]) axis = k;
             GradientBox first = box, second = box;
             first.high[axis] = second.low[axis] = middle[axis];
-            queue.push_back(first);
-            queue.push_back(second);
+            const auto excerpt = intervals_.excerpt(within);
+            queue.push_back({first, excerpt});
+            queue.push_back({second, excerpt});
             if (progress && intervals_.evaluations() % 1024 == 0)
                 progress(0.9 * static_cast<double>(intervals_.evaluations()) /
                          static_cast<double>(settings_.boxLimit));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <memory>
 
 #include "core/evaluate/interval_gradient_evaluator.h"
 #include "core/evaluate/prepared_function.h"
@@ -11,9 +12,12 @@ namespace isoscope {
 
 namespace {
 
+using Excerpt = IntervalGradientEvaluator::Excerpt;
+
 /// A block of cells of a grid.
 struct Block {
-    glm::ivec3 low{0}, high{0};  ///< points; the block is between them
+    glm::ivec3 low{0}, high{0};                   ///< points; the block is between them
+    std::shared_ptr<const Excerpt> excerpt = {};  ///< what matters of the function there; null for all
 
     std::uint64_t cells() const {
         const glm::ivec3 size = high - low;
@@ -54,7 +58,7 @@ class Check {
             if (block.cells() == 1)
                 ++check.open;
             else
-                halve(block, blocks);
+                halve(block, intervals_.excerpt(block.excerpt), blocks);
         }
         return check;
     }
@@ -63,7 +67,7 @@ class Check {
     bool keeps(const Block& block) {
         const GradientBox box{grid_.place(block.low), grid_.place(block.high)};
         if (domain_.misses(box)) return true;
-        const IntervalGradient& all = intervals_.evaluate(box.intervals());
+        const IntervalGradient& all = intervals_.evaluate(box.intervals(), block.excerpt);
         if (LoopStop::requested()) return false;
         if (all.value.empty()) return true;
         const double threshold = surface_.settings().threshold;
@@ -77,12 +81,14 @@ class Check {
         return product > 0;
     }
 
-    static void halve(const Block& block, std::vector<Block>& blocks) {
+    static void halve(const Block& block, std::shared_ptr<const Excerpt> excerpt,
+                      std::vector<Block>& blocks) {
         const glm::ivec3 size = block.high - block.low;
         int axis = 0;
         for (int k = 1; k < 3; ++k)
             if (size[k] > size[axis]) axis = k;
         Block first = block, second = block;
+        first.excerpt = second.excerpt = std::move(excerpt);
         first.high[axis] = second.low[axis] = block.low[axis] + size[axis] / 2;
         blocks.push_back(first);
         blocks.push_back(second);
