@@ -121,6 +121,20 @@ class ShapeReportTest : public QObject {
         QVERIFY(textOf(report, "Pieces").find("Not proven") != std::string::npos);
     }
 
+    /// Of many parts, which are told with what matters in each place alone.
+    void manyPartsAreCounted() {
+        const ShapeReport report = reportOn(
+            "function { min(10 #for (I, 0, 99) , f_sphere(x - 0.3*mod(I, 5), y - 0.3*mod(int(I/5), 5), "
+            "z - 0.3*int(I/25), 0.1) #end) } contained_by { box { -0.2, <1.4, 1.4, 1.1> } }",
+            64);
+        QCOMPARE(report.solid, (SolidCount{100, 0, 0, true}));
+        QVERIFY(report.check.complete());
+        const double volume = 100 * 4.0 / 3 * M_PI * 1e-3;
+        QVERIFY(report.volume.low <= volume && volume <= report.volume.high);
+        QVERIFY(report.volume.high - report.volume.low < 0.25 * volume);
+        QVERIFY(std::abs(report.wall.thickness - 0.2) < 0.01);
+    }
+
     void nothingAndStops() {
         const ShapeReport empty =
             reportOn("function { x*x + y*y + z*z + 1 } contained_by { box { -1, 1 } }", 16);

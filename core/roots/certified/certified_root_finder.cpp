@@ -101,18 +101,20 @@ void CertifiedRootFinder::finish(std::span<const LineQuery> queries, const RootR
 void CertifiedRootFinder::search(std::span<const LineQuery> queries, const RootRequest& request,
                                  std::span<RootList> roots) {
     const bool many = queries.size() >= BundleMarch::bundleLines;
-    if (!many || !slabs_.worthwhile() || !slabs_.pays(queries, wanted_))
-        searchWhole(queries, 0, queries.size(), request, roots);
+    if (slabs_.worthwhile() && many && slabs_.pays(queries, wanted_))
+        searchSlabs(queries, SlabSearch::batchLines, request, roots);
+    else if (slabs_.worthwhile() && !many && !keepsValues_ && partTapes_.begin())
+        searchSlabs(queries, 1, request, roots);
     else
-        searchSlabs(queries, request, roots);
+        searchWhole(queries, 0, queries.size(), request, roots);
 }
 
-void CertifiedRootFinder::searchSlabs(std::span<const LineQuery> queries, const RootRequest& request,
-                                      std::span<RootList> roots) {
-    for (std::size_t first = 0; first < queries.size() && !request.stop.stop_requested();
-         first += SlabSearch::batchLines) {
-        const std::size_t end = std::min(first + SlabSearch::batchLines, queries.size());
-        if (!slabs_.begin(queries, wanted_, first)) {
+/// So many lines at a time.
+void CertifiedRootFinder::searchSlabs(std::span<const LineQuery> queries, std::size_t batch,
+                                      const RootRequest& request, std::span<RootList> roots) {
+    for (std::size_t first = 0; first < queries.size() && !request.stop.stop_requested(); first += batch) {
+        const std::size_t end = std::min(first + batch, queries.size());
+        if (!slabs_.begin(queries.first(end), std::span(wanted_).first(end), first)) {
             searchWhole(queries, first, end, request, roots);
             continue;
         }

@@ -75,13 +75,13 @@ class CertifiedRootFinder : public LineRootFinder {
     /// through infinity; they are no surface. Only before the first search: enclosures are then of the
     /// function itself, not of one with the same sign.
     void listPoles() {
-        forms_.keepValues();
+        keepValues();
         lanes_.listPoles();
     }
     /// From now on find() tells `recorder`, which must live as long, how it searches lists of less than 16
     /// lines. Only before the first search, as listPoles().
     void recordInto(ProofRecorder& recorder) {
-        forms_.keepValues();
+        keepValues();
         lanes_.recordInto(&recorder);
     }
 
@@ -89,6 +89,10 @@ class CertifiedRootFinder : public LineRootFinder {
     /// What is known of the function where a line leaves its interval.
     enum class EndSign : std::uint8_t { unknown, inside, outside };
 
+    void keepValues() {
+        forms_.keepValues();
+        keepsValues_ = true;
+    }
     void prepare(std::span<const LineQuery> queries);
     void finish(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
     /// First roots of so many lines make a picture: what can hardly be proven is left to POV-Ray's method.
@@ -112,7 +116,7 @@ class CertifiedRootFinder : public LineRootFinder {
     void findUncertain(std::span<const LineQuery> queries, const RootRequest& request,
                        std::span<RootList> roots);
     void search(std::span<const LineQuery> queries, const RootRequest& request, std::span<RootList> roots);
-    void searchSlabs(std::span<const LineQuery> queries, const RootRequest& request,
+    void searchSlabs(std::span<const LineQuery> queries, std::size_t batch, const RootRequest& request,
                      std::span<RootList> roots);
     void marchBundles(std::span<const LineQuery> queries, std::size_t first, std::size_t end,
                       const RootRequest& request);
@@ -150,6 +154,7 @@ class CertifiedRootFinder : public LineRootFinder {
     std::vector<RoughRoot> pending_;
     RootPolish polish_;
     std::vector<std::size_t> asked_;
+    bool keepsValues_ = false;           ///< lists of a few lines are by the function itself
     bool isPicture_ = false;             ///< the list at hand
     std::vector<std::size_t> unproven_;  ///< lines that are left to POV-Ray's method
     std::uint64_t povrayValues_ = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <memory>
 #include <queue>
 
 #include "core/evaluate/box_evaluator.h"
@@ -12,6 +13,8 @@
 #include "core/evaluate/point_evaluator.h"
 #include "core/evaluate/prepared_function.h"
 #include "core/evaluate/tape/loop_stop.h"
+#include "core/evaluate/tape/tape_simplifier.h"
+#include "core/roots/cells/short_tapes.h"
 #include "core/study/gradient/gradient_domain.h"
 
 namespace isoscope {
@@ -30,6 +33,7 @@ double volumeOf(const GradientBox& box) {
 struct Room {
     GradientBox box;
     double volume = 0;
+    std::shared_ptr<const SimplifiedTape> tape;  ///< with the sign of the function there; null for the whole
 
     /// The largest first.
     bool operator<(const Room& other) const { return volume < other.volume; }
@@ -39,16 +43,24 @@ struct Room {
 class VolumeSearch {
   public:
     VolumeSearch(const Isosurface& surface, std::span<const double> parameters)
-        : surface_(surface), domain_(surface.settings().container), boxes_(surface.prepared(parameters)) {}
+        : surface_(surface),
+          domain_(surface.settings().container),
+          function_(surface.prepared(parameters)),
+          boxes_(function_),
+          simplifier_(function_->links()),
+          levels_(function_->links().levels(function_->uniforms(), surface.settings().threshold)),
+          becomesShort_(ShortTapes(*function_).possible()) {}
 
     bool empty() const { return domain_.empty(); }
     void run(std::uint64_t limit, const std::stop_token& stop) {
         open_ = volumeOf(domain_.box());
-        queue_.push({domain_.box(), open_});
+        queue_.push({domain_.box(), open_, {}});
         std::vector<Room> parts;
         while (!queue_.empty() && boxes_.evaluations() < limit && !stop.stop_requested()) {
             parts.clear();
-            while (!queue_.empty() && parts.size() + 8 <= batchLanes) divide(parts);
+            do {
+                divide(parts);
+            } while (!queue_.empty() && parts.size() + 8 <= batchLanes && haveSameTape(parts, queue_.top()));
             sort(parts, stop);
         }
     }
@@ -60,8 +72,12 @@ class VolumeSearch {
     }
 
   private:
+    static bool haveSameTape(const std::vector<Room>& rooms, const Room& other) {
+        return rooms.empty() || rooms.front().tape == other.tape;
+    }
     void divide(std::vector<Room>& parts) {
-        const GradientBox whole = queue_.top().box;
+        const Room room = queue_.top();
+        const GradientBox& whole = room.box;
         queue_.pop();
         const glm::dvec3 middle = whole.center();
         for (int corner = 0; corner < 8; ++corner) {
@@ -71,10 +87,12 @@ class VolumeSearch {
             if (domain_.misses(part))
                 open_ -= volume;
             else
-                parts.push_back({part, volume});
+                parts.push_back({part, volume, room.tape});
         }
     }
+    /// Rooms with the same tape.
     void sort(std::span<const Room> rooms, const std::stop_token& stop) {
+        if (rooms.empty()) return;
         BoxLanes lanes{};
         for (std::size_t i = 0; i < rooms.size(); ++i)
             for (std::size_t k = 0; k < 3; ++k) {
@@ -82,7 +100,7 @@ class VolumeSearch {
                 lanes.high[k][i] = rooms[i].box.high[static_cast<int>(k)];
             }
         std::array<Interval, batchLanes> values;
-        boxes_.evaluate(lanes, std::span(values).first(rooms.size()));
+        evaluate(lanes, rooms[0].tape.get(), std::span(values).first(rooms.size()));
         // What loops said that were stopped does not count.
         if (stop.stop_requested()) return;
         const double threshold = surface_.settings().threshold;
@@ -95,13 +113,38 @@ class VolumeSearch {
             const bool whole = domain_.encloses(rooms[i].box);
             if (isOut || (isIn && whole)) open_ -= rooms[i].volume;
             if (isIn && whole) inside_ += rooms[i].volume;
-            if (!isOut && !(isIn && whole)) queue_.push(rooms[i]);
+            if (!isOut && !(isIn && whole))
+                queue_.push({rooms[i].box, rooms[i].volume, shortened(rooms[i].tape, i)});
         }
+    }
+    /// By a tape, or the whole one.
+    void evaluate(const BoxLanes& lanes, const SimplifiedTape* tape, std::span<Interval> values) {
+        if (!becomesShort_) return boxes_.evaluate(lanes, values);
+        simplifier_.setBase(tape);
+        boxes_.evaluateChoices(lanes, tape != nullptr ? *tape : function_->links().whole(),
+                               {levels_, simplifier_.levelNumbers()}, values, choices_);
+    }
+    /// The tape for what is within the room in a lane that was enclosed last: that one, or a much shorter
+    /// one.
+    std::shared_ptr<const SimplifiedTape> shortened(const std::shared_ptr<const SimplifiedTape>& tape,
+                                                    std::size_t lane) {
+        constexpr std::size_t shortTape = 24, worthwhileShare = 2;
+        const std::size_t length = (tape ? *tape : function_->links().whole()).instructions.size();
+        if (!becomesShort_ || length <= shortTape) return tape;
+        simplifier_.simplify(choices_, std::uint64_t(1) << lane, 0, made_);
+        if (worthwhileShare * made_.instructions.size() > length) return tape;
+        return std::make_shared<const SimplifiedTape>(made_);
     }
 
     const Isosurface& surface_;
     GradientDomain domain_;
+    std::shared_ptr<const PreparedFunction> function_;
     BoxEvaluator boxes_;
+    TapeSimplifier simplifier_;
+    std::vector<SignLevel> levels_;
+    std::vector<LaneChoices> choices_;  ///< of the rooms at hand
+    SimplifiedTape made_;
+    bool becomesShort_;  ///< whether the tape may do so in a room
     std::priority_queue<Room> queue_;
     double inside_ = 0, open_ = 0;
 };
