@@ -91,6 +91,21 @@ class RidgeFunctionTest : public QObject {
             }
     }
 
+    /// Beside the corner where its one argument ends, which was neared in steps that became ever shorter.
+    void placesBesideACornerAreFound() {
+        const Container unit = ContainerBox{glm::dvec3(-1), glm::dvec3(1)};
+        const auto function = prepared("sin(2.4*x - 0.9*y - 0.2*z)");
+        const auto ridge = RidgeFunction::of(*function, unit);
+        QVERIFY(ridge.has_value());
+        const GradientDomain domain(unit);
+        const double end = ridge->domain.box().high.x;
+        for (const double before : {1e-1, 1e-3, 1e-6, 1e-9, 0.0}) {
+            const glm::dvec3 place = ridge->placeOf({end - before, 0, 0}, domain);
+            QVERIFY(domain.contains(place));
+            QVERIFY(std::abs(glm::dot(ridge->axes[0], place) + ridge->origin.x - (end - before)) < 1e-12);
+        }
+    }
+
     /// An image that were the box around it would hold steeper places than the container does.
     void theImageOfABoxHasItsCorners() {
         const Container unit = ContainerBox{glm::dvec3(-1), glm::dvec3(1)};

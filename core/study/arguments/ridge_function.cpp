@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <span>
 #include <vector>
@@ -299,8 +300,25 @@ std::optional<RidgeFunction> RidgeFunction::of(const PreparedFunction& function,
     return result;
 }
 
-/// By turns the nearest with these arguments and the nearest in the container.
+namespace {
+
+/// A place of the container at this distance along a unit vector: between the first and the last of all.
+glm::dvec3 placeAlong(const glm::dvec3& axis, double distance, const GradientDomain& container) {
+    const glm::dvec3 center = container.box().center();
+    // From so far off what is nearest is a corner of a box, or where a ball is touched, up to roundings.
+    const double away = 1e6 * (container.box().width() + glm::length(center));
+    const glm::dvec3 first = container.nearest(center - away * axis),
+                     last = container.nearest(center + away * axis);
+    const double low = glm::dot(axis, first), high = glm::dot(axis, last);
+    const double part = high > low ? std::clamp((distance - low) / (high - low), 0.0, 1.0) : 0.0;
+    return container.nearest(glm::mix(first, last, part));
+}
+
+}  // namespace
+
+/// Of two arguments, by turns the nearest with these and the nearest in the container.
 glm::dvec3 RidgeFunction::placeOf(const glm::dvec3& arguments, const GradientDomain& container) const {
+    if (axes[1] == glm::dvec3(0)) return placeAlong(axes[0], arguments.x - origin.x, container);
     constexpr int rounds = 200;
     glm::dvec3 place = container.nearest(container.box().center());
     for (int round = 0; round < rounds; ++round) {
