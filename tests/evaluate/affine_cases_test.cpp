@@ -105,7 +105,9 @@ bool holds(const Part& part, const ExactNumber& t, const ExactNumber& value) {
         mpfr_div_d(share.get(), share.get(), part.length, MPFR_RNDN);
     }
     const double rounded = share.rounded();
-    if (rounded < -1e-9 || rounded > 1 + 1e-9) return false;
+    // Of t, too, which are large beside a short part.
+    const double beside = part.length > 0 ? 1e-9 + 4e-16 * std::abs(t.rounded()) / part.length : 1e-9;
+    if (rounded < -beside || rounded > 1 + beside) return false;
     if (rounded < 0 || rounded > 1) share = ExactNumber(std::clamp(rounded, 0.0, 1.0));
     return admits(part.form, share, value);
 }

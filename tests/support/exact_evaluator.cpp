@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "core/function/scalar_operations.h"
 #include "core/numeric/noise_gradient.h"
@@ -51,7 +50,10 @@ int cycle(mpfr_ptr result, mpfr_srcptr a, mpfr_rnd_t rounding) {
         return copy;
     }();
     fraction(result, size.get(), rounding);
-    mpfr_mul_d(result, result, 2 * std::numbers::pi, rounding);
+    ExactNumber turn;
+    mpfr_const_pi(turn.get(), rounding);
+    mpfr_mul_ui(turn.get(), turn.get(), 2, rounding);
+    mpfr_mul(result, result, turn.get(), rounding);
     mpfr_sin(result, result, rounding);
     return negative ? mpfr_neg(result, result, rounding) : 0;
 }
