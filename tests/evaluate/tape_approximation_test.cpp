@@ -56,10 +56,8 @@ double largestShare(const std::shared_ptr<const Tape>& tape,
     for (const TapeApproximation& approximation : approximations) {
         evaluator.evaluate(x, y, z, found, *approximation.tape);
         for (std::size_t i = 0; i < points; ++i) {
-            // What is claimed is so in real arithmetic.
-            constexpr double roundings = 1e-13;
-            const double apart = std::abs(found[i] + approximation.offset - wanted[i]) - roundings;
-            if (!(apart <= approximation.error)) return INFINITY;
+            const double apart = std::abs(found[i] + approximation.offset - wanted[i]);
+            if (!(apart <= approximation.error + 1e-13)) return INFINITY;
             if (approximation.error > 0) share = std::max(share, apart / approximation.error);
         }
     }
