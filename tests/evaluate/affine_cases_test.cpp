@@ -76,7 +76,9 @@ std::array<std::vector<Part>, batchLanes> divide(AffineEvaluator& evaluator, con
                 done[lane].push_back(part);
                 continue;
             }
-            const double half = part.length / 2, end = part.start + part.length, slack = 1e-15 * (1 + end);
+            // The sum may be rounded to less than where the part ends, much less beside a short part.
+            const double end = std::nextafter(part.start + part.length, INFINITY);
+            const double half = part.length / 2, slack = 1e-15 * (1 + end);
             const double low = std::max(part.start, part.start + (1 + cases.low[lane]) * half - slack);
             const double high = std::min(end, part.start + (1 + cases.high[lane]) * half + slack);
             for (const bool higher : {false, true}) {
@@ -86,7 +88,7 @@ std::array<std::vector<Part>, batchLanes> divide(AffineEvaluator& evaluator, con
                 if (cases.rises[lane] != 0) {
                     const bool isFirst = (cases.rises[lane] > 0) != higher;
                     side.start = isFirst ? part.start : low;
-                    side.length = (isFirst ? high : end) - side.start;
+                    side.length = std::nextafter((isFirst ? high : end) - side.start, INFINITY);
                 }
                 waiting[lane].push_back(side);
             }
@@ -105,9 +107,7 @@ bool holds(const Part& part, const ExactNumber& t, const ExactNumber& value) {
         mpfr_div_d(share.get(), share.get(), part.length, MPFR_RNDN);
     }
     const double rounded = share.rounded();
-    // Of t, too, which are large beside a short part.
-    const double beside = part.length > 0 ? 1e-9 + 4e-16 * std::abs(t.rounded()) / part.length : 1e-9;
-    if (rounded < -beside || rounded > 1 + beside) return false;
+    if (rounded < -1e-9 || rounded > 1 + 1e-9) return false;
     if (rounded < 0 || rounded > 1) share = ExactNumber(std::clamp(rounded, 0.0, 1.0));
     return admits(part.form, share, value);
 }

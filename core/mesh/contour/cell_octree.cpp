@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/evaluate/prepared_function.h"
+#include "core/roots/cells/short_tapes.h"
 #include "core/render/progressive/worker_pool.h"
 
 namespace isoscope {
@@ -14,8 +15,7 @@ namespace {
 constexpr std::size_t childrenOfCell = 8;
 /// Leaves that one thread splits at a time: some full runs of the evaluator.
 constexpr std::size_t leavesOfBatch = 64;
-/// Tapes as short as this are not shortened; others only to this part of their length.
-constexpr std::size_t shortTape = 24;
+/// Tapes are shortened to no more than this part of their length, or not at all.
 constexpr double worthwhile = 0.8;
 /// Of all tapes together, about 50 bytes each.
 constexpr std::size_t mostInstructions = 1 << 21;
@@ -123,7 +123,7 @@ void CellOctree::classifyAlike(Batch& batch, std::size_t first, std::size_t end,
             sign = 1;
         else if (boxes.sign(lane) < 0 && field_.encloses(from, to))
             sign = -1;
-        if (sign != 0 || base.instructions.size() <= shortTape) continue;
+        if (sign != 0 || base.instructions.size() <= ShortTapes::shortLength) continue;
         auto own = std::make_unique<SimplifiedTape>();
         boxes.simplify(std::uint64_t(1) << lane, *own);
         if (static_cast<double>(own->instructions.size()) <

@@ -13,8 +13,6 @@ namespace isoscope {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Tapes as short as this are not worth an enclosure that makes them shorter.
-constexpr std::size_t shortTape = 24;
 /// Of tapes that are shorter than this, those of pieces alone are not worth their making.
 constexpr std::size_t longTape = 128;
 /// Cells that cost more than so many enclosures of each line by the whole tape do not pay.
@@ -159,7 +157,7 @@ void CellMarch::search(const LineColumns& lines, Tile& tile, double sufficient, 
 void CellMarch::searchCell(const LineColumns& lines, const CellTree::Cell& cell, Tile& tile,
                            const DepthRange& range, double sufficient, FirstRoots& roots) {
     if (cell.sign > 0) return skip(tile, range);
-    if (cell.tape->instructions.size() <= shortTape)
+    if (cell.tape->instructions.size() <= ShortTapes::shortLength)
         return march(lines, tile, range, *cell.tape, sufficient, roots);
     enclosePieces(cell, tile.bundle, range);
     for (std::size_t piece = 0, end = 0; piece < depth && tile.open > 0; piece = end) {

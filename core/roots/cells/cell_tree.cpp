@@ -8,13 +8,12 @@
 #include <glm/vector_relational.hpp>
 
 #include "core/evaluate/prepared_function.h"
+#include "core/roots/cells/short_tapes.h"
 
 namespace isoscope {
 
 namespace {
 
-/// Tapes as short as this are not worth a smaller cell.
-constexpr std::size_t shortTape = 24;
 /// Cells are divided at most so often.
 constexpr int deepest = 16;
 /// A cell is divided into so many on each axis; the root, of which little is decided anywhere, into more.
@@ -222,7 +221,7 @@ const SimplifiedTape& CellTree::tapeOf(Cell& cell) {
 
 bool CellTree::isLong(Cell& cell) {
     if (!cell.length) tapeOf(cell);
-    return *cell.length > shortTape;
+    return *cell.length > ShortTapes::shortLength;
 }
 
 void CellTree::keepTape(Cell& cell) {

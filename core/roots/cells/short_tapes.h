@@ -13,6 +13,9 @@ class ShortTapes {
     /// Tapes with fewer choices are not worth it.
     static constexpr std::size_t fewestChoices = 8;
 
+    /// Tapes as short as this are not worth making shorter.
+    static constexpr std::size_t shortLength = 24;
+
     explicit ShortTapes(const PreparedFunction& function)
         : length_(function.tape()->instructions().size()),
           possible_(function.links().whole().levelNumbers.size() >= fewestChoices &&

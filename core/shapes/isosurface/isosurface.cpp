@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "core/evaluate/function_keeper.h"
-#include "core/roots/cells/inside_test.h"
+#include "core/roots/cells/point_membership.h"
 #include "core/roots/certified/certified_root_finder.h"
 #include "core/roots/lipschitz/lipschitz_root_finder.h"
 #include "core/roots/lipschitz/tape_field.h"
@@ -24,12 +24,12 @@ namespace isoscope {
 
 namespace {
 
-/// What one isosurface keeps in a context: its root finders and its inside test, made when first asked for,
-/// and memory that would otherwise be allocated anew for each batch.
+/// What one isosurface keeps in a context: its root finders and its point membership, made when first asked
+/// for, and memory that would otherwise be allocated anew for each batch.
 class IsosurfaceState : public ShapeState {
   public:
     std::array<std::unique_ptr<LineRootFinder>, 2> finders;
-    std::optional<InsideTest> insideTest;
+    std::optional<PointMembership> membership;
     ContainerPassages passages;
     std::vector<LineQuery> queries;
     std::vector<RootList> roots;
@@ -395,9 +395,9 @@ void Isosurface::allHits(std::span<const Ray> rays, TraceContext& context, std::
 bool Isosurface::contains(const glm::dvec3& point, TraceContext& context) const {
     if (!containerHolds(point)) return false;
     ++context.evaluations;
-    std::optional<InsideTest>& test = stateOf(*this, context).insideTest;
-    if (!test) test.emplace(prepared(context.parameters()), rootSettings_);
-    return test->holds(point);
+    std::optional<PointMembership>& membership = stateOf(*this, context).membership;
+    if (!membership) membership.emplace(prepared(context.parameters()), rootSettings_);
+    return membership->isInside(point);
 }
 
 Bounds Isosurface::bounds() const {

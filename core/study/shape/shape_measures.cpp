@@ -128,9 +128,9 @@ class VolumeSearch {
     /// one.
     std::shared_ptr<const SimplifiedTape> shortened(const std::shared_ptr<const SimplifiedTape>& tape,
                                                     std::size_t lane) {
-        constexpr std::size_t shortTape = 24, worthwhileShare = 2;
+        constexpr std::size_t worthwhileShare = 2;
         const std::size_t length = (tape ? *tape : function_->links().whole()).instructions.size();
-        if (!becomesShort_ || length <= shortTape) return tape;
+        if (!becomesShort_ || length <= ShortTapes::shortLength) return tape;
         simplifier_.simplify(choices_, std::uint64_t(1) << lane, 0, made_);
         if (worthwhileShare * made_.instructions.size() > length) return tape;
         return std::make_shared<const SimplifiedTape>(made_);

@@ -17,16 +17,16 @@ class PreparedFunction;
 /// functions full of choices (unions of many parts) only what decides near a point is evaluated, once more
 /// than a few points were asked for: a CellTree over settings.region. The answer is that of the whole
 /// function, whatever was asked before. Not for several threads at once.
-class InsideTest {
+class PointMembership {
   public:
     /// `settings` are made usable() first.
-    InsideTest(std::shared_ptr<const PreparedFunction> function, const RootSettings& settings);
+    PointMembership(std::shared_ptr<const PreparedFunction> function, const RootSettings& settings);
     // The cells refer to the settings.
-    InsideTest(const InsideTest&) = delete;
-    InsideTest& operator=(const InsideTest&) = delete;
+    PointMembership(const PointMembership&) = delete;
+    PointMembership& operator=(const PointMembership&) = delete;
 
     /// Also of points on the surface, and of those where the function has no value.
-    bool holds(const glm::dvec3& point);
+    bool isInside(const glm::dvec3& point);
 
     /// What has been done so far, as so many instructions for one point or box.
     std::uint64_t work() const { return work_ + (cells_ ? cells_->work() : 0); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/roots/cells/inside_test.h"
+#include "core/roots/cells/point_membership.h"
 
 #include <QTest>
 #include <cmath>
@@ -47,7 +47,7 @@ RootSettings settingsOf(bool positivePolarity, double threshold) {
 
 }  // namespace
 
-class InsideTestTest : public QObject {
+class PointMembershipTest : public QObject {
     Q_OBJECT
 
   private slots:
@@ -61,7 +61,7 @@ class InsideTestTest : public QObject {
         for (int round = 0; round < 16; ++round) {
             const auto function = balls(40 + 60 * (round % 3), round % 2 == 1, round % 4 >= 2);
             const RootSettings settings = settingsOf(round % 5 == 4, 0.01 * (round % 3));
-            InsideTest test(function, settings);
+            PointMembership membership(function, settings);
             PointEvaluator points(function);
             glm::dvec3 place{0};
             for (int k = 0; k < 4000; ++k) {
@@ -70,7 +70,7 @@ class InsideTestTest : public QObject {
                                          ? glm::dvec3(anywhere(random), anywhere(random), anywhere(random))
                                          : place + glm::dvec3(near(random), near(random), near(random));
                 const bool expected = !(settings.signedValue(points.evaluate(p.x, p.y, p.z)) > 0);
-                QCOMPARE(test.holds(p), expected);
+                QCOMPARE(membership.isInside(p), expected);
                 inside += expected;
                 ++all;
             }
@@ -81,12 +81,13 @@ class InsideTestTest : public QObject {
 
     /// What is not defined is inside, as in POV-Ray; nowhere is no place.
     void noValueIsInside() {
-        InsideTest test(PreparedFunction::of(tapeOf([](auto x, auto, auto) { return sqrt(x); }), {}),
-                        settingsOf(false, 0.5));
-        QVERIFY(test.holds({-1, 0, 0}));
-        QVERIFY(test.holds({0.2, 0, 0}));
-        QVERIFY(!test.holds({0.3, 0, 0}));
-        QVERIFY(test.holds({NAN, 0, 0}));
+        PointMembership membership(
+            PreparedFunction::of(tapeOf([](auto x, auto, auto) { return sqrt(x); }), {}),
+            settingsOf(false, 0.5));
+        QVERIFY(membership.isInside({-1, 0, 0}));
+        QVERIFY(membership.isInside({0.2, 0, 0}));
+        QVERIFY(!membership.isInside({0.3, 0, 0}));
+        QVERIFY(membership.isInside({NAN, 0, 0}));
     }
 
     /// A point of 2000 balls costs what few of them cost, once there were some points; the first ones what
@@ -94,14 +95,14 @@ class InsideTestTest : public QObject {
     void pointsCostWhatIsNearThem() {
         const auto function = balls(2000, false, false);
         const std::uint64_t length = function->tape()->instructions().size();
-        InsideTest test(function, settingsOf(false, 0));
+        PointMembership membership(function, settingsOf(false, 0));
         std::mt19937_64 random(seed + 1);
         std::uniform_real_distribution<double> anywhere(-1.5, 1.5);
         const auto ask = [&](int count) {
-            const std::uint64_t before = test.work();
+            const std::uint64_t before = membership.work();
             for (int k = 0; k < count; ++k)
-                test.holds({anywhere(random), anywhere(random), anywhere(random)});
-            return test.work() - before;
+                membership.isInside({anywhere(random), anywhere(random), anywhere(random)});
+            return membership.work() - before;
         };
         QCOMPARE(ask(3), 3 * length);
         ask(20000);
@@ -112,5 +113,5 @@ class InsideTestTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(InsideTestTest)
-#include "inside_test_test.moc"
+QTEST_APPLESS_MAIN(PointMembershipTest)
+#include "point_membership_test.moc"
